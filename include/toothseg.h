@@ -1,0 +1,617 @@
+/* toothseg.h - separate the teeth of a scanned dental arch, one click a pair.
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * This header is the manual of the library. It is plain C99 and includes nothing but <stdint.h> and <stddef.h>.
+ *
+ * READ ME FIRST
+ *   Way of work  context -> model (intake of a mesh) -> features (found, or set by hand) -> segmentation (prepared
+ *                once) -> clicks -> teeth, cuts, labels. Each object is made by a function with an `out` argument
+ *                and given back to the ..._destroy function of its kind, which accepts NULL.
+ *   Units        millimetres. `unit` in ts_intake_options converts a mesh in other units on its way in; every
+ *                coordinate that goes in or out after that is in mm, in the axes of the caller's mesh. Any pose.
+ *   Indices      0-based, uint32_t. TS_NONE means "none".
+ *   Arrays       C-contiguous, owned by whoever allocated them. The library copies what it is given before a call
+ *                returns and never keeps a caller's pointer (hooks and their `user` pointers excepted).
+ *                Getters fill a buffer of the caller's: pass NULL and capacity 0 to learn the number of elements.
+ *   Strings      UTF-8, zero-terminated. What the library returns as const char * stays its own; how long it lives
+ *                is said at the function.
+ *   Errors       Every function that can fail returns ts_status; TS_OK is 0. On failure all out-parameters and all
+ *                objects are as they were, and ts_last_error_message() says what was wrong, and where, in one line.
+ *                No exception, abort, or output to stdout or stderr crosses this interface.
+ *   Threads      A function that takes a const handle may run at the same time as other such calls on the same
+ *                object. One that takes a non-const handle needs that object to itself. Different objects are
+ *                independent, also when they share a context or a model. ts_job_cancel may be called at any time
+ *                from any thread.
+ *   Lifetime     A child keeps its parents alive (a segmentation its features and model, a model its context): handles
+ *                may be destroyed in any order.
+ *   Options      Structs that begin with struct_size are filled by their ..._init function, called with sizeof the
+ *                struct as the caller knows it, then changed where wanted. They only ever grow at the end. A NULL
+ *                options pointer means: as initialised.
+ *   Results      The same input gives the same bytes, whatever the number of threads.
+ *   Paper        "Interactive Tooth Separation from Dental Model Using Segmentation Field", Li & Wang, PLOS ONE 2016,
+ *                doi 10.1371/journal.pone.0161159. Eq., Fig. and Table below are its.
+ *
+ * All functions are since 0.1.0 unless marked otherwise.
+ */
+#ifndef TOOTHSEG_H
+#define TOOTHSEG_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32) && !defined(TS_STATIC)
+#if defined(TS_BUILD)
+#define TS_API __declspec(dllexport)
+#else
+#define TS_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define TS_API __attribute__((visibility("default")))
+#else
+#define TS_API
+#endif
+
+#if defined(__GNUC__)
+#define TS_NODISCARD __attribute__((warn_unused_result))
+#else
+#define TS_NODISCARD
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------------------------------------------ version, status */
+
+/** Version of this header; ts_version() gives that of the library. Same major: old programs run on new libraries. */
+#define TS_VERSION_MAJOR 0
+#define TS_VERSION_MINOR 1
+#define TS_VERSION_PATCH 0
+
+/** "No index": a face, vertex, group or tooth that is not there. */
+#define TS_NONE UINT32_MAX
+
+/** What came of a call. Values are fixed for ever; new ones are added within their block. */
+typedef enum ts_status {
+  TS_OK = 0, /**< done */
+
+  /* 100: the call itself is wrong (a bug in the calling program) */
+  TS_E_INVALID_ARGUMENT = 100, /**< a value outside its stated range */
+  TS_E_NULL = 101,             /**< a pointer that must not be NULL is */
+  TS_E_STRUCT_SIZE = 102,      /**< struct_size is 0, or no size that any release had */
+  TS_E_BUFFER_TOO_SMALL = 103, /**< capacity is less than the number of elements */
+  TS_E_NOT_FOUND = 104,        /**< no such group, point, click, tooth, loop or contour */
+  TS_E_MISMATCH = 105,         /**< objects that do not belong together (features of another model) */
+
+  /* 200: the surroundings */
+  TS_E_OUT_OF_MEMORY = 200, /**< an allocation failed */
+  TS_E_CANCELLED = 201,     /**< the job was cancelled, by ts_job_cancel or its callback */
+  TS_E_INTERNAL = 202,      /**< a fault in the library: please report the message */
+
+  /* 300: files */
+  TS_E_FILE_OPEN = 300,      /**< cannot be opened or read */
+  TS_E_FILE_FORMAT = 301,    /**< not STL, PLY, OBJ or OFF, or a variant that is not read */
+  TS_E_FILE_TRUNCATED = 302, /**< ends before what its header or its last statement promises */
+  TS_E_FILE_TRAILING = 303,  /**< goes on after what its header promises */
+  TS_E_FILE_COUNT = 304,     /**< a count that the file's size contradicts */
+  TS_E_FILE_SYNTAX = 305,    /**< text where a number or keyword belongs; the message has the line */
+  TS_E_FILE_WRITE = 306,     /**< cannot be written; nothing is left half written */
+
+  /* 400: the mesh */
+  TS_E_MESH_EMPTY = 400,        /**< no face, or none that is not degenerate */
+  TS_E_MESH_NON_FINITE = 401,   /**< NaN or infinity among the coordinates */
+  TS_E_MESH_INDEX_RANGE = 402,  /**< a triangle names a vertex that is not there */
+  TS_E_MESH_UNITS = 403,        /**< too small or too large for a scan in mm: probably in other units */
+  TS_E_MESH_TOO_LARGE = 404,    /**< more than 2^30 faces or vertices, or coordinates beyond 1e9 mm */
+
+  /* 500: features */
+  TS_E_NO_TEETH = 500,      /**< nothing on the mesh looks like a tooth */
+  TS_E_NO_CONSTRAINT = 501, /**< no group with a point: there is nothing to separate */
+
+  /* 600: segmentation */
+  TS_E_CLICK_OFF_SURFACE = 600, /**< the click is further from the surface than click_reach */
+  TS_E_CLICK_ON_GINGIVA = 601,  /**< the click lies on gingiva or base, not on a tooth */
+  TS_E_NO_CUT = 602,            /**< no contour of the field separates the tooth */
+  TS_E_SOLVER = 603,            /**< the linear system could not be factorised */
+
+  TS_STATUS_FORCE_INT = 0x7fffffff /**< not a status: makes the enum 32 bits wide */
+} ts_status;
+
+/** The library's version, e.g. "0.1.0". Static; any thread. */
+TS_API const char *ts_version(void);
+
+/** The name of a status, e.g. "TS_E_NO_TEETH"; "TS_E_?" for an unknown one. Static; any thread. */
+TS_API const char *ts_status_name(ts_status status);
+
+/** What the last failed call of this thread reported: one line, never NULL, "" before any failure. Lives until the
+ *  next failing call of the same thread. Do not use it to find out whether a call failed. */
+TS_API const char *ts_last_error_message(void);
+
+/* --------------------------------------------------------------------------------------------------------- context */
+
+/** Holds the hooks (allocator, log, threads) for all objects made from it. */
+typedef struct ts_context ts_context;
+
+typedef enum ts_log_level { TS_LOG_ERROR = 0, TS_LOG_WARNING = 1, TS_LOG_INFO = 2, TS_LOG_FORCE_INT = 0x7fffffff } ts_log_level;
+
+/** Allocator hook. `alloc` returns memory aligned to 16 bytes, or NULL when there is none. Both may be called from any
+ *  thread that works for the context. The large buffers of the library come from here; Eigen, OpenMesh and oneTBB keep
+ *  their own. */
+typedef void *(*ts_alloc_fn)(size_t bytes, void *user);
+typedef void (*ts_free_fn)(void *memory, void *user);
+
+/** Log hook: one line without newline, valid during the call only; may come from any thread that works for the context. */
+typedef void (*ts_log_fn)(ts_log_level level, const char *text, void *user);
+
+typedef struct ts_context_options {
+  uint32_t struct_size; /**< set by ts_context_options_init */
+  uint32_t threads;     /**< worker threads: 0 = one a core, 1 = only the calling thread, at most 1024. Default 0 */
+  ts_alloc_fn alloc;    /**< NULL = the C library's; give both or none */
+  ts_free_fn free;
+  void *alloc_user;
+  ts_log_fn log; /**< NULL = silent */
+  void *log_user;
+} ts_context_options;
+
+/** Fills `options` with the defaults. `struct_size`: sizeof(ts_context_options).
+ *  Errors: TS_E_NULL, TS_E_STRUCT_SIZE. Thread: any. */
+TS_API TS_NODISCARD ts_status ts_context_options_init(ts_context_options *options, uint32_t struct_size);
+
+/** Makes a context. `options` in, may be NULL; `out` out, owned by the caller.
+ *  Errors: TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_INVALID_ARGUMENT, TS_E_OUT_OF_MEMORY. Thread: any. */
+TS_API TS_NODISCARD ts_status ts_context_create(const ts_context_options *options, ts_context **out);
+
+/** Gives a context back; NULL is fine. It lives on until its last child is gone. */
+TS_API void ts_context_destroy(ts_context *context);
+
+/* ------------------------------------------------------------------------------------------------------------- job */
+
+/** Progress and cancellation of one long call at a time. Every long call takes a ts_job pointer, which may be NULL. */
+typedef struct ts_job ts_job;
+
+/** Called during a long call, from a thread that works for it, one call at a time: `fraction` in [0, 1], never falling within
+ *  one call; `stage` a short English name. Return 0 to go on, anything else to cancel. Must not call the library. */
+typedef int (*ts_progress_fn)(double fraction, const char *stage, void *user);
+
+/** Makes a job. `progress` may be NULL (then the job serves to cancel only). `out` owned by the caller.
+ *  Errors: TS_E_NULL, TS_E_OUT_OF_MEMORY. */
+TS_API TS_NODISCARD ts_status ts_job_create(ts_context *context, ts_progress_fn progress, void *user, ts_job **out);
+
+/** Asks the running call to stop: it returns TS_E_CANCELLED soon, with nothing changed. Sticky until ts_job_reset.
+ *  Any thread, any time between create and destroy; NULL is fine. */
+TS_API void ts_job_cancel(ts_job *job);
+
+/** Makes a cancelled job usable again. Not while a call uses it. */
+TS_API void ts_job_reset(ts_job *job);
+
+/** The last reported fraction, 0 before any. Any thread. NULL gives 0. */
+TS_API double ts_job_progress(const ts_job *job);
+
+TS_API void ts_job_destroy(ts_job *job);
+
+/* ----------------------------------------------------------------------------------------------------------- model */
+
+/** A mesh after intake: welded, clean, manifold, consistently wound. Never changes once made. */
+typedef struct ts_model ts_model;
+
+typedef enum ts_scalar { TS_FLOAT32 = 0, TS_FLOAT64 = 1, TS_SCALAR_FORCE_INT = 0x7fffffff } ts_scalar;
+
+/** Unit of the caller's coordinates. TS_UNIT_CHECKED_MM: mm, and TS_E_MESH_UNITS if the size of the mesh contradicts
+ *  it (bounding box diagonal under 9 or over 400); the others convert without a check. */
+typedef enum ts_unit {
+  TS_UNIT_CHECKED_MM = 0,
+  TS_UNIT_MM = 1,
+  TS_UNIT_CM = 2,
+  TS_UNIT_M = 3,
+  TS_UNIT_INCH = 4,
+  TS_UNIT_FORCE_INT = 0x7fffffff
+} ts_unit;
+
+typedef enum ts_file_format {
+  TS_FORMAT_AUTO = 0, /**< told from the content, not from the name */
+  TS_FORMAT_STL = 1,
+  TS_FORMAT_PLY = 2,
+  TS_FORMAT_OBJ = 3,
+  TS_FORMAT_OFF = 4,
+  TS_FORMAT_FORCE_INT = 0x7fffffff
+} ts_file_format;
+
+/** The caller's mesh, read only during ts_model_create. */
+typedef struct ts_mesh_input {
+  uint32_t struct_size;
+  ts_scalar scalar;          /**< type of the coordinates */
+  const void *positions;     /**< x, y, z of vertex i at byte i * stride */
+  uint32_t vertex_count;     /**< number of vertices */
+  uint32_t stride;           /**< bytes from one vertex to the next; 0 = packed (12 or 24) */
+  const uint32_t *triangles; /**< 3 indices a face; NULL = soup: vertices 3i, 3i+1, 3i+2 are face i */
+  uint32_t triangle_count;   /**< number of faces; for a soup vertex_count / 3 or 0 */
+} ts_mesh_input;
+
+typedef struct ts_intake_options {
+  uint32_t struct_size;
+  ts_unit unit;          /**< default TS_UNIT_CHECKED_MM */
+  double weld_tolerance; /**< vertices closer than this become one, mm. Default 0: only exactly equal ones */
+} ts_intake_options;
+
+TS_API TS_NODISCARD ts_status ts_mesh_input_init(ts_mesh_input *input, uint32_t struct_size);
+TS_API TS_NODISCARD ts_status ts_intake_options_init(ts_intake_options *options, uint32_t struct_size);
+
+/** What intake found and repaired. Counts of the caller's elements unless said otherwise. */
+typedef struct ts_intake_report {
+  uint32_t struct_size;
+  uint32_t input_vertices;        /**< as given (a soup: 3 a face) */
+  uint32_t input_faces;           /**< as given; polygons count once */
+  uint32_t polygons;              /**< input faces with more than 3 corners, triangulated */
+  uint32_t welded_vertices;       /**< input vertices merged into another */
+  uint32_t unreferenced_vertices; /**< used by no face: dropped */
+  uint32_t degenerate_faces;      /**< fewer than 3 distinct corners, or no area: dropped */
+  uint32_t duplicate_faces;       /**< same corners as another face: dropped */
+  uint32_t flipped_faces;         /**< wound against the majority of their piece: turned round */
+  uint32_t non_manifold_edges;    /**< edges of more than 2 faces: split */
+  uint32_t non_manifold_vertices; /**< vertices where several fans met: split */
+  uint32_t unorientable_edges;    /**< edges cut open because no winding fits both sides (Moebius) */
+  uint32_t vertices;              /**< of the model */
+  uint32_t faces;                 /**< of the model */
+  uint32_t components;            /**< connected pieces of the model */
+  uint32_t boundary_loops;        /**< open rims of the model */
+  uint32_t inside_out;            /**< 1 if the faces look inwards (found at feature detection; else 0) */
+  double diagonal;                /**< of the bounding box, mm */
+  double area;                    /**< mm^2 */
+  double mean_edge;               /**< mm */
+} ts_intake_report;
+
+/** Makes a model from the caller's arrays. Errors: TS_E_MESH_*, TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_INVALID_ARGUMENT,
+ *  TS_E_OUT_OF_MEMORY, TS_E_CANCELLED. `options` and `job` may be NULL. */
+TS_API TS_NODISCARD ts_status ts_model_create(ts_context *context, const ts_mesh_input *input,
+                                              const ts_intake_options *options, ts_job *job, ts_model **out);
+
+/** Makes a model from a file: binary or ASCII STL, PLY (ASCII, binary of either byte order), OBJ, OFF.
+ *  `path`: UTF-8. Errors: TS_E_FILE_*, and those of ts_model_create. */
+TS_API TS_NODISCARD ts_status ts_model_load(ts_context *context, const char *path, const ts_intake_options *options,
+                                            ts_job *job, ts_model **out);
+
+/** The same from a file already in memory. */
+TS_API TS_NODISCARD ts_status ts_model_read(ts_context *context, const void *bytes, size_t size, ts_file_format format,
+                                            const ts_intake_options *options, ts_job *job, ts_model **out);
+
+TS_API void ts_model_destroy(ts_model *model);
+
+/** Fills the report. `report->struct_size` in, the rest out. */
+TS_API TS_NODISCARD ts_status ts_model_get_report(const ts_model *model, ts_intake_report *report);
+
+/** Vertices of the model: `xyz` 3 doubles a vertex, `capacity` and `count` in vertices. */
+TS_API TS_NODISCARD ts_status ts_model_get_positions(const ts_model *model, double *xyz, uint32_t capacity, uint32_t *count);
+
+/** Faces of the model: 3 vertex indices each; `capacity` and `count` in faces. */
+TS_API TS_NODISCARD ts_status ts_model_get_triangles(const ts_model *model, uint32_t *triangles, uint32_t capacity,
+                                                     uint32_t *count);
+
+/** For each model face the caller's face it came from. */
+TS_API TS_NODISCARD ts_status ts_model_get_face_sources(const ts_model *model, uint32_t *input_face, uint32_t capacity,
+                                                        uint32_t *count);
+
+/** For each of the caller's vertices the model vertex that stands for it (after welding and splitting the first of
+ *  several), TS_NONE if it was dropped. */
+TS_API TS_NODISCARD ts_status ts_model_get_vertex_map(const ts_model *model, uint32_t *model_vertex, uint32_t capacity,
+                                                      uint32_t *count);
+
+/** A point on the surface: a model face and the weights of its three corners (sum 1). */
+typedef struct ts_surface_point {
+  uint32_t face;
+  uint32_t nearest_vertex; /**< the corner with the largest weight */
+  double barycentric[3];
+  double position[3]; /**< mm */
+  double distance;    /**< from the query position, or along the ray from its origin, mm */
+} ts_surface_point;
+
+/** The surface point nearest to `position`. Errors: TS_E_NULL, TS_E_INVALID_ARGUMENT (not finite). */
+TS_API TS_NODISCARD ts_status ts_model_nearest(const ts_model *model, const double position[3], ts_surface_point *out);
+
+/** The first surface point hit by a ray (both sides of a face count). `direction` need not have length 1.
+ *  Errors: TS_E_NOT_FOUND (the ray misses), TS_E_NULL, TS_E_INVALID_ARGUMENT. */
+TS_API TS_NODISCARD ts_status ts_model_raycast(const ts_model *model, const double origin[3], const double direction[3],
+                                               ts_surface_point *out);
+
+/* -------------------------------------------------------------------------------------------------------- features */
+
+/** Feature points of the teeth (cusps, incisal edges: paper ref. 38) in groups, one a tooth (ref. 30), with the
+ *  occlusal direction and the arch curve they were found with. Can be edited, or built by hand from nothing. A
+ *  segmentation takes a copy: editing features does not change one already made. */
+typedef struct ts_features ts_features;
+
+typedef struct ts_feature_options {
+  uint32_t struct_size;
+  uint32_t max_points; /**< most points a tooth. Default 8 */
+  double occlusal[3];     /**< a direction to use instead of the estimated one; 0,0,0 = estimate (default) */
+  double radius;          /**< r of the convexity measure, mm. Default 2.0: about half a cusp's width */
+} ts_feature_options;
+
+TS_API TS_NODISCARD ts_status ts_feature_options_init(ts_feature_options *options, uint32_t struct_size);
+
+/** Finds the features of a model. Errors: TS_E_NO_TEETH, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. */
+TS_API TS_NODISCARD ts_status ts_detect_features(const ts_model *model, const ts_feature_options *options, ts_job *job,
+                                                 ts_features **out);
+
+/** Makes an empty set, to be filled by hand. */
+TS_API TS_NODISCARD ts_status ts_features_create(const ts_model *model, ts_features **out);
+
+/** Makes a copy. */
+TS_API TS_NODISCARD ts_status ts_features_clone(const ts_features *features, ts_features **out);
+
+TS_API void ts_features_destroy(ts_features *features);
+
+typedef struct ts_feature_point {
+  uint32_t id;        /**< stays the same while the point exists */
+  uint32_t group;     /**< id of its group */
+  uint32_t vertex;    /**< nearest model vertex */
+  uint32_t by_hand;   /**< 1 if the caller set it */
+  double position[3]; /**< mm */
+  double convexity;   /**< dimensionless: 0 on a plane, 0.25 to 0.4 on a cusp; 0 for a point set by hand */
+} ts_feature_point;
+
+typedef struct ts_feature_group {
+  uint32_t id;        /**< stays the same while the group exists */
+  uint32_t points;    /**< number of points */
+  uint32_t previous;  /**< id of the neighbour group along the arch, TS_NONE at an end */
+  uint32_t next;      /**< the other one */
+  double centre[3];   /**< mean of its points, mm */
+  double arch_from;   /**< where its tooth begins and ends along the arch curve, mm; 0, 0 if made by hand */
+  double arch_to;
+  double confidence;  /**< 0 to 1: how sure the detection is that this is one tooth; 1 if made by hand */
+} ts_feature_group;
+
+/** The unit vector from the gums to the biting surface. */
+TS_API TS_NODISCARD ts_status ts_features_get_occlusal(const ts_features *features, double direction[3]);
+TS_API TS_NODISCARD ts_status ts_features_set_occlusal(ts_features *features, const double direction[3]);
+
+/** The arch curve as a polyline from one end of the arch to the other: 3 doubles a point, mm. */
+TS_API TS_NODISCARD ts_status ts_features_get_arch(const ts_features *features, double *xyz, uint32_t capacity, uint32_t *count);
+
+/** All points, in the order of their groups. */
+TS_API TS_NODISCARD ts_status ts_features_get_points(const ts_features *features, ts_feature_point *points,
+                                                     uint32_t capacity, uint32_t *count);
+
+/** All groups, in the order of the arch. */
+TS_API TS_NODISCARD ts_status ts_features_get_groups(const ts_features *features, ts_feature_group *groups,
+                                                     uint32_t capacity, uint32_t *count);
+
+/** Adds a point at the surface point nearest to `position`, to `group` (TS_NONE: a new group, placed along the arch by
+ *  its position). `point` and `group_out` may be NULL. Errors: TS_E_NOT_FOUND, usage. */
+TS_API TS_NODISCARD ts_status ts_features_add_point(ts_features *features, const double position[3], uint32_t group,
+                                                    uint32_t *point, uint32_t *group_out);
+TS_API TS_NODISCARD ts_status ts_features_move_point(ts_features *features, uint32_t point, const double position[3]);
+/** Puts a point into another group (TS_NONE: a new one). A group without points ceases to exist. */
+TS_API TS_NODISCARD ts_status ts_features_set_group(ts_features *features, uint32_t point, uint32_t group,
+                                                    uint32_t *group_out);
+TS_API TS_NODISCARD ts_status ts_features_remove_point(ts_features *features, uint32_t point);
+TS_API TS_NODISCARD ts_status ts_features_remove_group(ts_features *features, uint32_t group);
+
+/* ---------------------------------------------------------------------------------------------------- segmentation */
+
+/** A prepared scan and the teeth separated so far. */
+typedef struct ts_segmentation ts_segmentation;
+
+typedef enum ts_preset {
+  TS_PRESET_DEFAULT = 0, /**< the best we know: docs/method.md */
+  TS_PRESET_PAPER = 1,   /**< the paper to the letter */
+  TS_PRESET_FORCE_INT = 0x7fffffff
+} ts_preset;
+
+/** Weights of the Laplacian (paper, "Selection of weighting scheme"; Fig. 10). */
+typedef enum ts_weights {
+  TS_WEIGHTS_CONCAVITY = 0, /**< beta + (1 - beta) exp(-c / c0), c the concavity at a physical radius */
+  TS_WEIGHTS_PAPER = 1,     /**< Eq. 8 with the test of Eq. 9 */
+  TS_WEIGHTS_COTANGENT = 2, /**< paper ref. 39, negative cotangents clamped */
+  TS_WEIGHTS_UNIFORM = 3,   /**< 1 */
+  TS_WEIGHTS_FORCE_INT = 0x7fffffff
+} ts_weights;
+
+/** What is held at the background value beside the neighbour tooth. */
+typedef enum ts_background {
+  TS_BACKGROUND_NEIGHBOUR = 0, /**< nothing: the paper's pair */
+  TS_BACKGROUND_GINGIVA = 1,   /**< vertices far from every feature point */
+  TS_BACKGROUND_ALL = 2,       /**< these, and the points of all other groups */
+  TS_BACKGROUND_FORCE_INT = 0x7fffffff
+} ts_background;
+
+/** How the contour of a tooth is chosen. */
+typedef enum ts_cut_rule {
+  TS_CUT_GRADIENT = 0,  /**< the paper's: largest mean gradient in [0, V_med] and (V_med, 1] */
+  TS_CUT_COMPONENT = 1, /**< the component around the seeds with the best concavity x gradient */
+  TS_CUT_HALF = 2,      /**< the contour half way between the tooth's value and the background's */
+  TS_CUT_FORCE_INT = 0x7fffffff
+} ts_cut_rule;
+
+/** Defaults are given as: default preset / paper preset. */
+typedef struct ts_segment_options {
+  uint32_t struct_size;
+  ts_preset preset;            /**< what the options were initialised to; informative */
+  ts_weights weights;          /**< CONCAVITY / PAPER */
+  ts_background background;    /**< ALL / NEIGHBOUR */
+  ts_cut_rule cut_rule;        /**< HALF / GRADIENT */
+  uint32_t contours;           /**< number of iso-values sampled in (0, 1) (Fig. 4A). 100 / 100 */
+  uint32_t histogram_bins;     /**< of Fig. 4C. 50 / 50 */
+  uint32_t points_per_group;   /**< most constraint points used a tooth (Figs. 2, 3); 0 = all. 0 / 0 */
+  double alpha;                /**< penalty of Eq. 6; 0 = exact constraints. 1e8 / 1e8 */
+  double beta;                 /**< factor of a concave edge (Eq. 8), least weight of CONCAVITY. 1e-3 / 0.01 */
+  double gamma;                /**< added to the divisor of Eq. 8. 1e-4 / 1e-4 */
+  double theta;                /**< threshold of Eq. 9. 0.2 / 0.001 */
+  double c0;                   /**< decay of the CONCAVITY weights, 1/mm. 0.07 */
+  double normal_radius;        /**< r of the smoothed normals, mm. 0.15 */
+  double seed_radius;          /**< a constraint point is a disc of this radius, mm; 0 = one vertex. 0.7 / 0 */
+  double gingiva_distance;     /**< from every feature point, mm, at which gingiva begins for certain. 13 */
+  double area_min, area_max;   /**< a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330 */
+  double hole_area;            /**< holes in a tooth's region up to this are filled, mm^2. 40 / 0 */
+  double refine_band;          /**< half width of the band of the min-cut refinement, mm; 0 = none. 1.5 / 0 */
+  double smooth_radius;        /**< smoothing of the final line, mm; 0 = none. 0.2 / 0 */
+  double click_reach;          /**< a click further from the surface than this is off it, mm. 2 / 2 */
+  double click_concavity;      /**< geodesic cost |e| (1 + this * concavity) from click to points. 60 / 0 */
+  uint32_t reject_outliers;    /**< 1 = free feature points that contradict the field. 1 / 0 */
+} ts_segment_options;
+
+TS_API TS_NODISCARD ts_status ts_segment_options_init(ts_segment_options *options, uint32_t struct_size, ts_preset preset);
+
+/** Prepares a scan: weights, and the factorisation that all clicks share. `features` are copied.
+ *  Errors: TS_E_NO_CONSTRAINT, TS_E_SOLVER, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. */
+TS_API TS_NODISCARD ts_status ts_segmentation_create(const ts_features *features, const ts_segment_options *options,
+                                                     ts_job *job, ts_segmentation **out);
+
+TS_API void ts_segmentation_destroy(ts_segmentation *segmentation);
+
+/** Separates the tooth under `position` (mm, on the surface) and its neighbour: the group closest along the surface is
+ *  the target (0), the next closest the background (1) (paper, "User interface"). `click` out, may be NULL: its number,
+ *  counted from 0. Errors: TS_E_CLICK_*, TS_E_NO_CUT, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. */
+TS_API TS_NODISCARD ts_status ts_segment_click(ts_segmentation *segmentation, const double position[3], ts_job *job,
+                                               uint32_t *click);
+
+/** Several clicks at once, solved in parallel; the result is that of the same clicks one after the other. `positions`
+ *  3 doubles a click. `statuses` out, may be NULL: one a click; a click that fails leaves no trace, the others stand,
+ *  and numbers are given to those that succeed, in order. Returns TS_OK if the batch ran, even if clicks failed. */
+TS_API TS_NODISCARD ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positions, uint32_t count,
+                                                ts_job *job, ts_status *statuses);
+
+/** The fewest clicks that cover every group (paper: N/2, or N/2 + 1): 3 doubles a click, to be given to
+ *  ts_segment_clicks. */
+TS_API TS_NODISCARD ts_status ts_propose_clicks(const ts_segmentation *segmentation, double *positions, uint32_t capacity,
+                                                uint32_t *count);
+
+/* --------------------------------------------------------------------------------------------------------- results */
+
+/** Milliseconds a stage took (paper, Fig. 11). */
+typedef struct ts_click_times {
+  double pick;  /**< click to groups */
+  double field; /**< solve */
+  double cut;   /**< contours and selection */
+  double label; /**< faces, refinement, labels */
+  double total;
+} ts_click_times;
+
+typedef struct ts_click_info {
+  uint32_t struct_size;
+  uint32_t target;           /**< tooth clicked: id of its group */
+  uint32_t neighbour;        /**< tooth separated with it; TS_NONE if there is but one */
+  double position[3];        /**< the surface point taken, mm */
+  double target_distance;    /**< along the surface to the closest point of each, in the metric of the options */
+  double neighbour_distance;
+  double v_med;              /**< centre of the fullest bin (Fig. 4C) */
+  double target_iso;         /**< chosen iso-values */
+  double neighbour_iso;      /**< NaN if there is no neighbour */
+  ts_click_times ms;
+} ts_click_info;
+
+TS_API TS_NODISCARD ts_status ts_get_click_count(const ts_segmentation *segmentation, uint32_t *count);
+TS_API TS_NODISCARD ts_status ts_get_click(const ts_segmentation *segmentation, uint32_t click, ts_click_info *info);
+
+/** u of Eq. 3 for a click, a value a model vertex: 0 on the target, 1 on the neighbour; NaN on pieces of the mesh that
+ *  hold no constraint. */
+TS_API TS_NODISCARD ts_status ts_get_field(const ts_segmentation *segmentation, uint32_t click, double *u, uint32_t capacity,
+                                           uint32_t *count);
+
+/** The histogram of Fig. 4C: vertices a bin over [0, 1]. */
+TS_API TS_NODISCARD ts_status ts_get_histogram(const ts_segmentation *segmentation, uint32_t click, uint32_t *bins,
+                                               uint32_t capacity, uint32_t *count);
+
+/** One iso-value's contour of a click's field (Fig. 4A). */
+typedef struct ts_contour_info {
+  double iso;
+  double gradient;  /**< mean of |grad u| along it, 1/mm */
+  double concavity; /**< share of it in concave valleys, 0 to 1 */
+  double length;    /**< mm */
+  uint32_t points;  /**< in all its polylines */
+  uint32_t polylines;
+  uint32_t chosen;  /**< 1 = cut of the target, 2 = of the neighbour, 0 = neither */
+} ts_contour_info;
+
+TS_API TS_NODISCARD ts_status ts_get_contours(const ts_segmentation *segmentation, uint32_t click,
+                                              ts_contour_info *contours, uint32_t capacity, uint32_t *count);
+
+/** A point of a contour or cut: on the edge from model vertex `a` to `b`, at (1 - t) a + t b. */
+typedef struct ts_edge_point {
+  uint32_t a, b;
+  double t;
+  double position[3]; /**< mm */
+} ts_edge_point;
+
+/** The points of one contour. `starts` out, may be NULL: index of the first point of each polyline (`polylines` of
+ *  them); closed polylines repeat no point; `closed` out, may be NULL: 1 or 0 each. */
+TS_API TS_NODISCARD ts_status ts_get_contour_points(const ts_segmentation *segmentation, uint32_t click, uint32_t contour,
+                                                    ts_edge_point *points, uint32_t capacity, uint32_t *count,
+                                                    uint32_t *starts, uint8_t *closed);
+
+/** A separated tooth. Its id is the id of its feature group. */
+typedef struct ts_tooth_info {
+  uint32_t struct_size;
+  uint32_t id;
+  uint32_t label;      /**< what ts_get_labels writes: place along the arch counted from 1; not an FDI number */
+  uint32_t click;      /**< the click that separated it (last) */
+  uint32_t faces;      /**< model faces */
+  uint32_t vertices;   /**< model vertices of these */
+  uint32_t loops;      /**< closed polylines of its cut */
+  uint32_t seeds;      /**< constraint points used */
+  double area;         /**< mm^2 */
+  double iso;          /**< iso-value of the cut */
+  double gradient;     /**< mean of |grad u| along it, 1/mm */
+  double confidence;   /**< 0 to 1 */
+  uint32_t warnings;   /**< sum of ts_tooth_warning */
+} ts_tooth_info;
+
+/** What looks wrong about a tooth. */
+typedef enum ts_tooth_warning {
+  TS_WARN_AREA_SMALL = 1,     /**< under area_min */
+  TS_WARN_AREA_LARGE = 2,     /**< over area_max */
+  TS_WARN_OPEN_AT_BORDER = 4, /**< the crown runs into a border of the scan */
+  TS_WARN_SEVERAL_LOOPS = 8,  /**< the cut is not one closed line */
+  TS_WARN_NO_NEIGHBOUR = 16,  /**< no neighbour was there to be background */
+  TS_WARN_SEED_REJECTED = 32, /**< a feature point contradicted the field and was not used */
+  TS_WARN_FORCE_INT = 0x7fffffff
+} ts_tooth_warning;
+
+/** Ids of the teeth separated so far, along the arch. */
+TS_API TS_NODISCARD ts_status ts_get_teeth(const ts_segmentation *segmentation, uint32_t *teeth, uint32_t capacity,
+                                           uint32_t *count);
+TS_API TS_NODISCARD ts_status ts_get_tooth(const ts_segmentation *segmentation, uint32_t tooth, ts_tooth_info *info);
+TS_API TS_NODISCARD ts_status ts_get_tooth_faces(const ts_segmentation *segmentation, uint32_t tooth, uint32_t *faces,
+                                                 uint32_t capacity, uint32_t *count);
+TS_API TS_NODISCARD ts_status ts_get_tooth_vertices(const ts_segmentation *segmentation, uint32_t tooth,
+                                                    uint32_t *vertices, uint32_t capacity, uint32_t *count);
+/** Model vertices held as this tooth's constraint. */
+TS_API TS_NODISCARD ts_status ts_get_tooth_seeds(const ts_segmentation *segmentation, uint32_t tooth, uint32_t *vertices,
+                                                 uint32_t capacity, uint32_t *count);
+
+typedef struct ts_cut_info {
+  uint32_t struct_size;
+  uint32_t points;
+  uint32_t closed;  /**< 1: the last point is joined to the first */
+  double length;    /**< mm */
+  double iso;       /**< iso-value it was chosen at */
+  double gradient;  /**< mean of |grad u| along it, 1/mm */
+  double concavity; /**< share of it in concave valleys, 0 to 1 */
+} ts_cut_info;
+
+/** The cut of a tooth: loop `loop` (0 = the longest) of its closed polyline(s), seen from outside counter-clockwise
+ *  around the tooth. `info` may be NULL, `points` may be NULL. */
+TS_API TS_NODISCARD ts_status ts_get_cut(const ts_segmentation *segmentation, uint32_t tooth, uint32_t loop,
+                                         ts_cut_info *info, ts_edge_point *points, uint32_t capacity, uint32_t *count);
+
+/** A label for each of the CALLER's faces, in the caller's order: 0 = no tooth (so far), else ts_tooth_info::label.
+ *  Faces that intake dropped have the label of the face they duplicate or touch. */
+TS_API TS_NODISCARD ts_status ts_get_labels(const ts_segmentation *segmentation, uint32_t *labels, uint32_t capacity,
+                                            uint32_t *count);
+
+/** Milliseconds of the preparation. */
+typedef struct ts_prepare_times {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double intake;    /**< of the model */
+  double features;  /**< of the detection; 0 if set by hand */
+  double weights;   /**< curvature, concavity, weights */
+  double factorise;
+} ts_prepare_times;
+
+TS_API TS_NODISCARD ts_status ts_get_prepare_times(const ts_segmentation *segmentation, ts_prepare_times *times);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* TOOTHSEG_H */

@@ -1,0 +1,44 @@
+#include "base/executor.h"
+
+#include <algorithm>
+#include <thread>
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include "base/memory.h"
+
+namespace ts {
+
+struct Executor::Arena {
+  explicit Arena(unsigned threads) : arena(static_cast<int>(threads)) {}
+  oneapi::tbb::task_arena arena;
+};
+
+Executor::Executor(unsigned threads) : threads_(threads ? threads : std::max(1u, std::thread::hardware_concurrency())) {
+  if (threads_ > 1) arena_ = std::make_unique<Arena>(threads_);
+}
+
+Executor::~Executor() = default;
+
+void Executor::ranges(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)> &body) const {
+  grain = std::max<std::size_t>(1, grain);
+  const std::size_t chunks = n / grain + (n % grain != 0);
+  const auto chunk = [&](std::size_t c) { body(c * grain, std::min(n, (c + 1) * grain)); };
+  if (!arena_ || chunks < 2) {
+    for (std::size_t c = 0; c < chunks; ++c) chunk(c);
+    return;
+  }
+  const std::shared_ptr<const AllocatorHooks> hooks = AllocatorScope::current();
+  // Isolated: a thread that waits here must not pick up unrelated work of the host's while it holds our locks.
+  arena_->arena.execute([&] {
+    oneapi::tbb::this_task_arena::isolate([&] {
+      oneapi::tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) {
+        const AllocatorScope scope(hooks);
+        chunk(c);
+      });
+    });
+  });
+}
+
+}  // namespace ts
