@@ -1,0 +1,80 @@
+// Everything behind a click: the paper's pipeline from a prepared scan to two separated teeth.
+#pragma once
+
+#include <memory>
+
+#include "base/executor.h"
+#include "base/progress.h"
+#include "features/features.h"
+#include "mesh/surface_point.h"
+#include "tooth/options.h"
+#include "tooth/tooth.h"
+
+namespace ts::tooth {
+
+// Milliseconds (paper, Fig. 11).
+struct PrepareTimes {
+  double weights = 0;    // curvature, concavity, weights
+  double factorise = 0;  // constraints, ordering, factorisation, Schur complement, outliers
+};
+struct ClickTimes {
+  double pick = 0, field = 0, cut = 0, label = 0, total = 0;
+};
+
+struct Click {
+  mesh::SurfacePoint at;
+  Index target = mesh::none;                 // index of the group clicked
+  Index neighbour = mesh::none;              // of the group separated with it; none if there is but one
+  double target_distance = 0;                // along the surface, in the metric of the options, mm
+  double neighbour_distance = 0;             // NaN without a neighbour
+  double v_med = 0;                          // centre of the fullest bin (Fig. 4C)
+  double target_iso = 0, neighbour_iso = 0;  // of the published field; NaN without a neighbour
+  ClickTimes ms;
+  Vec<Tooth> teeth;  // the target's, then the neighbour's if there is one and a cut was found for it
+};
+
+// One iso-value's contour of the published field (Fig. 4A).
+struct Contour {
+  double iso = 0, gradient = 0, concavity = 0, length = 0;
+  unsigned chosen = 0;  // 1 = cut of the target, 2 = of the neighbour, 0 = neither
+  Vec<cut::Polyline> lines;
+};
+
+// What can be looked at of a click; worked out again from the click when asked for, always the same.
+struct ClickView {
+  Vec<double> u;          // a vertex: 0 on the target, 1 on the neighbour; NaN on pieces without a constraint
+  Vec<Index> histogram;   // vertices a bin over [0, 1]
+  Vec<Contour> contours;  // by rising iso-value
+};
+
+class Segmenter {
+ public:
+  // `surface` and `executor` must outlive the segmenter; what is needed of `features` is copied.
+  // Throws no_constraint (no group with a point), solver, cancelled, invalid_argument.
+  Segmenter(const mesh::Surface &surface, const features::Features &features, const Options &options,
+            const Executor &executor, const Progress &progress = {});
+  ~Segmenter();
+  Segmenter(Segmenter &&) noexcept;
+  Segmenter &operator=(Segmenter &&) noexcept;
+
+  // Separates the tooth at `at` and its neighbour. Depends on nothing but the segmenter and the point.
+  // Throws click_off_surface, click_on_gingiva, no_cut, cancelled.
+  Click click(const mesh::SurfacePoint &at, const Progress &progress = {}) const;
+
+  ClickView view(const Click &click, const Progress &progress = {}) const;
+
+  // The fewest clicks that cover every group: points on the surface.
+  Vec<Vec3> propose_clicks() const;
+
+  const Options &options() const;
+  const PrepareTimes &times() const;
+  Index groups() const;
+  // The feature points of a group that contradicted the field and are not used: indices into Group::points.
+  const Vec<Index> &rejected_points(Index group) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<const Impl> impl_;
+};
+
+}  // namespace ts::tooth

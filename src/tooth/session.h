@@ -1,0 +1,34 @@
+// The teeth separated so far. Any order of the same clicks gives the same teeth and labels.
+#pragma once
+
+#include "tooth/segmenter.h"
+
+namespace ts::tooth {
+
+class Session {
+ public:
+  explicit Session(const mesh::Surface &surface) : surface_(&surface) {}
+
+  // Takes a click's teeth; one separated before is replaced. Returns the click's number, counted from 0.
+  Index add(Click click);
+
+  Index clicks() const { return static_cast<Index>(clicks_.size()); }
+  const Click &click(Index number) const;  // its teeth have been taken out
+  Vec<Index> teeth() const;                // groups with a tooth, ascending: along the arch
+  const Tooth *tooth(Index group) const;   // nullptr if not separated
+  Index click_of(Index group) const;       // the click that separated it last
+
+  // A label a model face: 0 or group + 1. A face of two teeth belongs to the one with the nearest seed.
+  Vec<std::uint32_t> labels() const;
+
+ private:
+  struct Entry {
+    Index group, click;
+    Tooth tooth;
+  };
+  const mesh::Surface *surface_;
+  Vec<Click> clicks_;
+  Vec<Entry> entries_;  // by group
+};
+
+}  // namespace ts::tooth
