@@ -1,0 +1,210 @@
+#include <optional>
+
+#include "api/guard.h"
+#include "api/segmentation_handle.h"
+
+using namespace ts::api;
+using ts::AllocatorScope;
+using ts::Error;
+using ts::Fault;
+using ts::mesh::Vec3;
+
+namespace ts::api {
+namespace {
+
+// The enums of options.h have the values of toothseg.h.
+static_assert(static_cast<int>(tooth::Background::all) == TS_BACKGROUND_ALL);
+static_assert(static_cast<int>(tooth::Background::gingiva) == TS_BACKGROUND_GINGIVA);
+static_assert(static_cast<int>(tooth::CutRule::gradient) == TS_CUT_GRADIENT);
+static_assert(static_cast<int>(tooth::CutRule::component) == TS_CUT_COMPONENT);
+static_assert(static_cast<int>(tooth::CutRule::half) == TS_CUT_HALF);
+static_assert(static_cast<int>(tooth::Preset::standard) == TS_PRESET_DEFAULT);
+static_assert(static_cast<int>(tooth::Preset::paper) == TS_PRESET_PAPER);
+static_assert(static_cast<int>(field::Scheme::concavity) == TS_WEIGHTS_CONCAVITY);
+static_assert(static_cast<int>(field::Scheme::paper) == TS_WEIGHTS_PAPER);
+static_assert(static_cast<int>(field::Scheme::cotangent) == TS_WEIGHTS_COTANGENT);
+static_assert(static_cast<int>(field::Scheme::uniform) == TS_WEIGHTS_UNIFORM);
+
+ts_segment_options public_options(ts_preset preset) {
+  const tooth::Options d = preset == TS_PRESET_PAPER ? tooth::paper_options() : tooth::default_options();
+  ts_segment_options o{};
+  o.struct_size = sizeof o;
+  o.preset = preset;
+  o.weights = static_cast<ts_weights>(d.weights);
+  o.background = static_cast<ts_background>(d.background);
+  o.cut_rule = static_cast<ts_cut_rule>(d.cut_rule);
+  o.contours = d.contours;
+  o.histogram_bins = d.histogram_bins;
+  o.points_per_group = d.points_per_group;
+  o.alpha = d.alpha;
+  o.beta = d.beta;
+  o.gamma = d.gamma;
+  o.theta = d.theta;
+  o.c0 = d.c0;
+  o.normal_radius = d.normal_radius;
+  o.seed_radius = d.seed_radius;
+  o.gingiva_distance = d.gingiva_distance;
+  o.area_min = d.area_min;
+  o.area_max = d.area_max;
+  o.hole_area = d.hole_area;
+  o.refine_band = d.refine_band;
+  o.smooth_radius = d.smooth_radius;
+  o.click_reach = d.click_reach;
+  o.click_concavity = d.click_concavity;
+  o.reject_outliers = d.reject_outliers;
+  return o;
+}
+
+void check_enum(uint32_t value, uint32_t last, const char *name) {
+  if (value > last) throw Error(Fault::invalid_argument, std::string(name) + " is " + std::to_string(value));
+}
+
+tooth::Options inner_options(const ts_segment_options &o) {
+  check_enum(o.preset, TS_PRESET_PAPER, "preset");
+  check_enum(o.weights, TS_WEIGHTS_UNIFORM, "weights");
+  check_enum(o.background, TS_BACKGROUND_ALL, "background");
+  check_enum(o.cut_rule, TS_CUT_HALF, "cut_rule");
+  check_enum(o.reject_outliers, 1, "reject_outliers");
+  tooth::Options d = o.preset == TS_PRESET_PAPER ? tooth::paper_options() : tooth::default_options();
+  d.weights = static_cast<field::Scheme>(o.weights);
+  d.background = static_cast<tooth::Background>(o.background);
+  d.cut_rule = static_cast<tooth::CutRule>(o.cut_rule);
+  d.contours = o.contours;
+  d.histogram_bins = o.histogram_bins;
+  d.points_per_group = o.points_per_group;
+  d.alpha = o.alpha;
+  d.beta = o.beta;
+  d.gamma = o.gamma;
+  d.theta = o.theta;
+  d.c0 = o.c0;
+  d.normal_radius = o.normal_radius;
+  d.seed_radius = o.seed_radius;
+  d.gingiva_distance = o.gingiva_distance;
+  d.area_min = o.area_min;
+  d.area_max = o.area_max;
+  d.hole_area = o.hole_area;
+  d.refine_band = o.refine_band;
+  d.smooth_radius = o.smooth_radius;
+  d.click_reach = o.click_reach;
+  d.click_concavity = o.click_concavity;
+  d.reject_outliers = o.reject_outliers != 0;
+  tooth::check(d);
+  return d;
+}
+
+mesh::Surface reversed(const mesh::Surface &s) {
+  Vec<mesh::Triangle> triangle(s.triangle);
+  for (mesh::Triangle &t : triangle) std::swap(t[1], t[2]);
+  return mesh::make_surface(s.position, std::move(triangle));
+}
+
+tooth::Click click_at(const Prepared &p, const double position[3], const Progress &progress) {
+  need_finite(position, "position");
+  mesh::SurfacePoint at = p.features->model->nearest({position[0], position[1], position[2]});
+  if (p.reversed) std::swap(at.barycentric[1], at.barycentric[2]);
+  return p.segmenter->click(at, progress);
+}
+
+void put_clicks(ts_segmentation &handle, Vec<tooth::Click> clicks) {
+  tooth::Session next = handle.session;
+  for (tooth::Click &c : clicks) next.add(std::move(c));
+  handle.session = std::move(next);
+}
+
+}  // namespace
+}  // namespace ts::api
+
+ts_status ts_segment_options_init(ts_segment_options *options, uint32_t struct_size, ts_preset preset) {
+  return guarded(__func__, [&] {
+    need(options, "options");
+    check_enum(static_cast<uint32_t>(preset), TS_PRESET_PAPER, "preset");
+    write_struct(options, public_options(preset), struct_size, "ts_segment_options");
+  });
+}
+
+ts_status ts_segmentation_create(const ts_features *features, const ts_segment_options *options, ts_job *job,
+                                 ts_segmentation **out) {
+  return guarded(__func__, [&] {
+    need(features, "features");
+    need(out, "out");
+    const ts::tooth::Options o = inner_options(read_options(options, public_options(TS_PRESET_DEFAULT), "ts_segment_options"));
+    const Context &context = *features->state->model->context;
+    const AllocatorScope scope(context.allocator);
+    const ts::Progress progress = progress_of(job);
+    auto prepared = std::make_unique<Prepared>();
+    prepared->features = features->state;
+    if (features->state->set.inside_out())
+      prepared->reversed = std::make_unique<const ts::mesh::Surface>(reversed(features->state->model->model.surface));
+    prepared->segmenter = std::make_unique<const ts::tooth::Segmenter>(
+        prepared->surface(), features->state->set.features(), o, *context.executor, progress);
+    progress(1);
+    ts::tooth::Session session(prepared->surface());
+    *out = new ts_segmentation{std::move(prepared), std::move(session), {}};
+  });
+}
+
+void ts_segmentation_destroy(ts_segmentation *segmentation) { delete segmentation; }
+
+ts_status ts_segment_click(ts_segmentation *segmentation, const double position[3], ts_job *job, uint32_t *click) {
+  return guarded(__func__, [&] {
+    need(segmentation, "segmentation");
+    need(position, "position");
+    const Prepared &p = *segmentation->prepared;
+    const AllocatorScope scope(p.context().allocator);
+    const ts::Progress progress = progress_of(job);
+    ts::Vec<ts::tooth::Click> clicks;
+    clicks.push_back(click_at(p, position, progress));
+    progress(1);
+    put_clicks(*segmentation, std::move(clicks));
+    if (click) *click = segmentation->session.clicks() - 1;
+  });
+}
+
+ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positions, uint32_t count, ts_job *job,
+                            ts_status *statuses) {
+  return guarded(__func__, [&] {
+    need(segmentation, "segmentation");
+    if (count) need(positions, "positions");
+    const Prepared &p = *segmentation->prepared;
+    const AllocatorScope scope(p.context().allocator);
+    const ts::Progress progress = progress_of(job);
+    ts::Vec<std::optional<ts::tooth::Click>> made(count);
+    ts::Vec<ts_status> status(count, TS_OK);
+    std::atomic<uint32_t> done{0};
+    p.context().executor->each(count, [&](std::size_t i) {
+      try {
+        made[i] = click_at(p, positions + 3 * i, {});
+      } catch (const Error &e) {
+        status[i] = status_of(e.fault());
+        keep_message("ts_segment_clicks", ("click " + std::to_string(i) + ": " + e.what()).c_str());
+        p.context().write_log(TS_LOG_WARNING, "click " + std::to_string(i) + ": " + e.what());
+      }
+      progress(static_cast<double>(++done) / count);
+    });
+    ts::Vec<ts::tooth::Click> clicks;
+    for (auto &c : made)
+      if (c) clicks.push_back(std::move(*c));
+    put_clicks(*segmentation, std::move(clicks));
+    if (statuses) std::copy(status.begin(), status.end(), statuses);
+  });
+}
+
+ts_status ts_propose_clicks(const ts_segmentation *segmentation, double *positions, uint32_t capacity, uint32_t *count) {
+  return guarded(__func__, [&] {
+    need(segmentation, "segmentation");
+    const AllocatorScope scope(segmentation->prepared->context().allocator);
+    copy_out(segmentation->prepared->segmenter->propose_clicks(), 3, positions, capacity, count,
+             [](const Vec3 &p, double *to) { std::copy_n(p.data(), 3, to); });
+  });
+}
+
+ts_status ts_get_prepare_times(const ts_segmentation *segmentation, ts_prepare_times *times) {
+  return guarded(__func__, [&] {
+    need(segmentation, "segmentation");
+    need(times, "times");
+    const Prepared &p = *segmentation->prepared;
+    const ts::tooth::PrepareTimes &t = p.segmenter->times();
+    write_struct(times, ts_prepare_times{0, 0, p.features->model->ms, p.features->ms, t.weights, t.factorise},
+                 times->struct_size, "ts_prepare_times");
+  });
+}

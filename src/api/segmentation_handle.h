@@ -1,0 +1,45 @@
+#pragma once
+
+#include "api/features_handle.h"
+#include "tooth/session.h"
+
+namespace ts::api {
+
+// What a segmentation is made of; the session is replaced as a whole when clicks are added.
+struct Prepared {
+  std::shared_ptr<const FeaturesState> features;
+  std::unique_ptr<const mesh::Surface> reversed;  // of an inside-out mesh: the same faces, wound the other way
+  std::unique_ptr<const tooth::Segmenter> segmenter;
+
+  const mesh::Surface &surface() const { return reversed ? *reversed : features->model->model.surface; }
+  const Context &context() const { return *features->model->context; }
+};
+
+// The view of one click, kept because its contours are read one by one. Safe for concurrent readers.
+class ViewCache {
+ public:
+  template <class Make>
+  std::shared_ptr<const tooth::ClickView> get(uint32_t click, Make &&make) const {
+    {
+      const std::lock_guard lock(guard_);
+      if (view_ && click_ == click) return view_;
+    }
+    auto view = std::make_shared<const tooth::ClickView>(make());
+    const std::lock_guard lock(guard_);
+    click_ = click;
+    return view_ = std::move(view);
+  }
+
+ private:
+  mutable std::mutex guard_;
+  mutable uint32_t click_ = 0;
+  mutable std::shared_ptr<const tooth::ClickView> view_;
+};
+
+}  // namespace ts::api
+
+struct ts_segmentation {
+  std::unique_ptr<const ts::api::Prepared> prepared;
+  ts::tooth::Session session;
+  ts::api::ViewCache views;
+};

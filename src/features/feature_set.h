@@ -1,0 +1,59 @@
+// Features that can be edited by hand: points and groups with ids that stay, groups kept in the order of the arch.
+#pragma once
+
+#include "features/features.h"
+
+namespace ts::features {
+
+class FeatureSet {
+ public:
+  struct Point {
+    Index id, group;
+    Index vertex;
+    Vec3 position;
+    double convexity;
+    bool by_hand;
+  };
+  struct Group {
+    Index id;
+    double from, to, confidence;
+    Vec3 centre;  // mean of its points
+    Index points;
+  };
+
+  FeatureSet() = default;
+  explicit FeatureSet(const Features &found);
+
+  const Vec3 &occlusal() const { return occlusal_; }
+  void set_occlusal(const Vec3 &unit) { occlusal_ = unit; }
+  const Vec<Vec3> &arch() const { return arch_; }
+  bool inside_out() const { return inside_out_; }
+  const Vec<Point> &points() const { return points_; }  // in the order of their groups
+  const Vec<Group> &groups() const { return groups_; }  // along the arch
+
+  // `group` none: a new group, put where it lengthens the way through the groups' centres least.
+  // All of these throw Error{not_found} for an id that is not there, and then change nothing.
+  const Point &add_point(Index vertex, const Vec3 &position, Index group);
+  void move_point(Index point, Index vertex, const Vec3 &position);
+  Index set_group(Index point, Index group);  // returns the group's id
+  void remove_point(Index point);
+  void remove_group(Index group);
+
+  // For the field: groups along the arch, all of them with points.
+  Features features() const;
+
+ private:
+  Point &find_point(Index id);
+  void require_group(Index id) const;
+  Index insert_group(const Vec3 &at);
+  void settle();
+
+  Vec3 occlusal_ = Vec3::Zero();
+  Vec<Vec3> arch_;
+  bool inside_out_ = false;
+  Vec<Point> points_;
+  Vec<Group> groups_;
+  Index next_point_ = 0, next_group_ = 0;
+};
+
+}  // namespace ts::features
