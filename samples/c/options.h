@@ -1,0 +1,21 @@
+/* The command line of ts-segment. SPDX-License-Identifier: Apache-2.0 */
+#ifndef OPTIONS_H
+#define OPTIONS_H
+
+#include <toothseg.h>
+
+typedef struct options {
+  const char *scan;
+  const char *clicks;                                  /* NULL: the library proposes them */
+  const char *labels, *cuts, *ply, *report, *features; /* outputs; NULL: not wanted */
+  ts_preset preset;
+  ts_unit unit;
+  uint32_t threads;
+} options;
+
+typedef enum options_result { OPTIONS_RUN, OPTIONS_DONE, OPTIONS_BAD } options_result;
+
+/* OPTIONS_DONE: --help or --version was asked for and has been printed. OPTIONS_BAD: complained. */
+options_result options_parse(int argc, char **argv, options *out);
+
+#endif

@@ -1,0 +1,76 @@
+/* ts-segment: the whole library as a command. SPDX-License-Identifier: Apache-2.0
+ *
+ * Plain C99 against toothseg.h alone: options.c reads the command line, clicks.c the clicks, run.c goes the way through
+ * the library, writers.c and report.c write what came of it, staging.c sees to it that the outputs are all there or
+ * not at all. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "complain.h"
+#include "options.h"
+#include "run.h"
+#include "staging.h"
+#include "writers.h"
+
+enum { EXIT_DONE = 0, EXIT_CLICK_FAILED = 1, EXIT_NOTHING_WRITTEN = 2 };
+
+int complain(const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  fputs("ts-segment: ", stderr);
+  vfprintf(stderr, format, arguments);
+  fputc('\n', stderr);
+  va_end(arguments);
+  return 0;
+}
+
+static int announce(const options *o, staging *s) {
+  const char *const outputs[] = {o->labels, o->cuts, o->ply, o->report, o->features};
+  const char *const inputs[] = {o->scan, o->clicks};
+  return staging_announce(s, outputs, 5, inputs, 2);
+}
+
+static int write_one(const run *r, staging *s, const char *path, int (*write)(const run *, FILE *)) {
+  FILE *file;
+  if (path == NULL) return 1;
+  file = staging_open(s, path);
+  return file != NULL && write(r, file);
+}
+
+static int write_all(const run *r, staging *s) {
+  const options *o = r->options;
+  return write_one(r, s, o->labels, write_labels) && write_one(r, s, o->cuts, write_cuts) &&
+         write_one(r, s, o->ply, write_ply) && write_one(r, s, o->report, write_report) &&
+         write_one(r, s, o->features, write_features) && staging_commit(s);
+}
+
+static int segment(const options *o) {
+  int good;
+  run r;
+  staging outputs;
+  memset(&r, 0, sizeof r);
+  memset(&outputs, 0, sizeof outputs);
+  r.options = o;
+  good = announce(o, &outputs) && (o->clicks == NULL || clicks_read(o->clicks, &r.clicks, &r.click_count)) &&
+         run_prepare(&r) && run_click(&r) && write_all(&r, &outputs);
+  staging_close(&outputs);
+  if (good)
+    printf("%s: %lu teeth from %lu clicks, %lu failed\n", o->scan, (unsigned long)r.tooth_count,
+           (unsigned long)r.click_count, (unsigned long)r.failed);
+  run_close(&r);
+  if (!good) return EXIT_NOTHING_WRITTEN;
+  return r.failed != 0 ? EXIT_CLICK_FAILED : EXIT_DONE;
+}
+
+int main(int argc, char **argv) {
+  options o;
+  switch (options_parse(argc, argv, &o)) {
+    case OPTIONS_RUN:
+      return segment(&o);
+    case OPTIONS_DONE:
+      return EXIT_DONE;
+    default:
+      return EXIT_NOTHING_WRITTEN;
+  }
+}
