@@ -16,7 +16,8 @@ ts_status ts_context_create(const ts_context_options *options, ts_context **out)
   return guarded(__func__, [&] {
     need(out, "out");
     const ts_context_options o = read_options(options, ts_context_options{}, "ts_context_options");
-    if (o.threads > 1024) throw Error(Fault::invalid_argument, "threads is " + std::to_string(o.threads) + ", at most 1024");
+    if (o.threads > 1024)
+      throw Error(Fault::invalid_argument, "threads is " + std::to_string(o.threads) + ", at most 1024");
     if (!o.alloc != !o.free) throw Error(Fault::invalid_argument, "alloc and free must both be given, or neither");
     auto state = std::make_shared<Context>();
     if (o.alloc)
@@ -28,7 +29,9 @@ ts_status ts_context_create(const ts_context_options *options, ts_context **out)
   });
 }
 
-void ts_context_destroy(ts_context *context) { delete context; }
+void ts_context_destroy(ts_context *context) {
+  delete context;
+}
 
 bool ts_job::proceed(double f, const char *stage) noexcept {
   if (cancelled) return false;
@@ -62,6 +65,10 @@ void ts_job_reset(ts_job *job) {
   job->fraction = 0;
 }
 
-double ts_job_progress(const ts_job *job) { return job ? job->fraction.load() : 0.0; }
+double ts_job_progress(const ts_job *job) {
+  return job ? job->fraction.load() : 0.0;
+}
 
-void ts_job_destroy(ts_job *job) { delete job; }
+void ts_job_destroy(ts_job *job) {
+  delete job;
+}

@@ -100,7 +100,9 @@ ts_status ts_features_clone(const ts_features *features, ts_features **out) {
   });
 }
 
-void ts_features_destroy(ts_features *features) { delete features; }
+void ts_features_destroy(ts_features *features) {
+  delete features;
+}
 
 ts_status ts_features_get_occlusal(const ts_features *features, double direction[3]) {
   return guarded(__func__, [&] {
@@ -129,16 +131,19 @@ ts_status ts_features_get_arch(const ts_features *features, double *xyz, uint32_
   });
 }
 
-ts_status ts_features_get_points(const ts_features *features, ts_feature_point *points, uint32_t capacity, uint32_t *count) {
+ts_status ts_features_get_points(const ts_features *features, ts_feature_point *points, uint32_t capacity,
+                                 uint32_t *count) {
   return guarded(__func__, [&] {
     need(features, "features");
-    copy_out(features->state->set.points(), 1, points, capacity, count, [](const FeatureSet::Point &p, ts_feature_point *to) {
-      *to = {p.id, p.group, p.vertex, p.by_hand, {p.position[0], p.position[1], p.position[2]}, p.convexity};
-    });
+    copy_out(features->state->set.points(), 1, points, capacity, count,
+             [](const FeatureSet::Point &p, ts_feature_point *to) {
+               *to = {p.id, p.group, p.vertex, p.by_hand, {p.position[0], p.position[1], p.position[2]}, p.convexity};
+             });
   });
 }
 
-ts_status ts_features_get_groups(const ts_features *features, ts_feature_group *groups, uint32_t capacity, uint32_t *count) {
+ts_status ts_features_get_groups(const ts_features *features, ts_feature_group *groups, uint32_t capacity,
+                                 uint32_t *count) {
   return guarded(__func__, [&] {
     need(features, "features");
     const auto &all = features->state->set.groups();

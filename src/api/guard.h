@@ -81,7 +81,8 @@ void write_struct(T *out, T value, uint32_t struct_size, const char *name) {
 
 // The two-call idiom: buffer NULL asks for the count only. `count` and `buffer` are touched on success only.
 template <class T, class Range, class Convert>
-void copy_out(const Range &items, std::size_t per_item, T *buffer, uint32_t capacity, uint32_t *count, Convert &&write) {
+void copy_out(const Range &items, std::size_t per_item, T *buffer, uint32_t capacity, uint32_t *count,
+              Convert &&write) {
   const std::size_t n = std::size(items);
   if (!buffer && !count) throw Error(Fault::null, "buffer and count are both NULL");
   if (buffer && capacity < n)

@@ -1,6 +1,5 @@
-#include "api/model_handle.h"
-
 #include "api/guard.h"
+#include "api/model_handle.h"
 #include "mesh/read.h"
 
 using namespace ts::api;
@@ -105,8 +104,7 @@ ts_status ts_model_load(ts_context *context, const char *path, const ts_intake_o
                         ts_model **out) {
   return guarded(__func__, [&] {
     need(path, "path");
-    make(context, options, job, out,
-         [&](const ts::Progress &progress) { return ts::mesh::load_mesh(path, ts::mesh::Format::automatic, progress); });
+    make(context, options, job, out, [&](const ts::Progress &progress) { return ts::mesh::load_mesh(path, progress); });
   });
 }
 
@@ -123,7 +121,9 @@ ts_status ts_model_read(ts_context *context, const void *bytes, size_t size, ts_
   });
 }
 
-void ts_model_destroy(ts_model *model) { delete model; }
+void ts_model_destroy(ts_model *model) {
+  delete model;
+}
 
 ts_status ts_model_get_report(const ts_model *model, ts_intake_report *report) {
   return guarded(__func__, [&] {
@@ -189,7 +189,8 @@ ts_status ts_model_nearest(const ts_model *model, const double position[3], ts_s
     need(position, "position");
     need(out, "out");
     need_finite(position, "position");
-    write_surface_point(model->state->model.surface, model->state->nearest({position[0], position[1], position[2]}), out);
+    write_surface_point(model->state->model.surface, model->state->nearest({position[0], position[1], position[2]}),
+                        out);
   });
 }
 

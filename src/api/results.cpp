@@ -44,7 +44,9 @@ Index group_of(const ts_segmentation *s, uint32_t id) {
   return group;
 }
 
-const Tooth &find_tooth(const ts_segmentation *s, uint32_t id) { return *s->session.tooth(group_of(s, id)); }
+const Tooth &find_tooth(const ts_segmentation *s, uint32_t id) {
+  return *s->session.tooth(group_of(s, id));
+}
 
 std::shared_ptr<const ClickView> view_of(const ts_segmentation *s, uint32_t click) {
   const Click &c = find_click(s, click);
@@ -85,7 +87,8 @@ ts_status ts_get_click(const ts_segmentation *segmentation, uint32_t click, ts_c
   });
 }
 
-ts_status ts_get_field(const ts_segmentation *segmentation, uint32_t click, double *u, uint32_t capacity, uint32_t *count) {
+ts_status ts_get_field(const ts_segmentation *segmentation, uint32_t click, double *u, uint32_t capacity,
+                       uint32_t *count) {
   return guarded(__func__, [&] {
     const std::shared_ptr<const ClickView> view = view_of(segmentation, click);
     copy_out(view->u, u, capacity, count);
@@ -104,12 +107,11 @@ ts_status ts_get_contours(const ts_segmentation *segmentation, uint32_t click, t
                           uint32_t capacity, uint32_t *count) {
   return guarded(__func__, [&] {
     const std::shared_ptr<const ClickView> view = view_of(segmentation, click);
-    copy_out(view->contours, 1, contours, capacity, count,
-             [](const ts::tooth::Contour &c, ts_contour_info *to) {
-               uint32_t points = 0;
-               for (const auto &line : c.lines) points += static_cast<uint32_t>(line.points.size());
-               *to = {c.iso, c.gradient, c.concavity, c.length, points, static_cast<uint32_t>(c.lines.size()), c.chosen};
-             });
+    copy_out(view->contours, 1, contours, capacity, count, [](const ts::tooth::Contour &c, ts_contour_info *to) {
+      uint32_t points = 0;
+      for (const auto &line : c.lines) points += static_cast<uint32_t>(line.points.size());
+      *to = {c.iso, c.gradient, c.concavity, c.length, points, static_cast<uint32_t>(c.lines.size()), c.chosen};
+    });
   });
 }
 

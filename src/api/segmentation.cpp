@@ -127,7 +127,8 @@ ts_status ts_segmentation_create(const ts_features *features, const ts_segment_o
   return guarded(__func__, [&] {
     need(features, "features");
     need(out, "out");
-    const ts::tooth::Options o = inner_options(read_options(options, public_options(TS_PRESET_DEFAULT), "ts_segment_options"));
+    const ts::tooth::Options o =
+        inner_options(read_options(options, public_options(TS_PRESET_DEFAULT), "ts_segment_options"));
     const Context &context = *features->state->model->context;
     const AllocatorScope scope(context.allocator);
     const ts::Progress progress = progress_of(job);
@@ -143,7 +144,9 @@ ts_status ts_segmentation_create(const ts_features *features, const ts_segment_o
   });
 }
 
-void ts_segmentation_destroy(ts_segmentation *segmentation) { delete segmentation; }
+void ts_segmentation_destroy(ts_segmentation *segmentation) {
+  delete segmentation;
+}
 
 ts_status ts_segment_click(ts_segmentation *segmentation, const double position[3], ts_job *job, uint32_t *click) {
   return guarded(__func__, [&] {
@@ -189,7 +192,8 @@ ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positio
   });
 }
 
-ts_status ts_propose_clicks(const ts_segmentation *segmentation, double *positions, uint32_t capacity, uint32_t *count) {
+ts_status ts_propose_clicks(const ts_segmentation *segmentation, double *positions, uint32_t capacity,
+                            uint32_t *count) {
   return guarded(__func__, [&] {
     need(segmentation, "segmentation");
     const AllocatorScope scope(segmentation->prepared->context().allocator);

@@ -49,7 +49,9 @@ ts_status status_of(Fault fault) noexcept {
 
 }  // namespace ts::api
 
-const char *ts_last_error_message(void) { return ts::api::last_message; }
+const char *ts_last_error_message(void) {
+  return ts::api::last_message;
+}
 
 const char *ts_status_name(ts_status status) {
 #define TS_NAME(s) \

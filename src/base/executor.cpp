@@ -1,10 +1,10 @@
 #include "base/executor.h"
 
-#include <algorithm>
-#include <thread>
-
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <thread>
 
 #include "base/memory.h"
 
@@ -21,7 +21,8 @@ Executor::Executor(unsigned threads) : threads_(threads ? threads : std::max(1u,
 
 Executor::~Executor() = default;
 
-void Executor::ranges(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)> &body) const {
+void Executor::ranges(std::size_t n, std::size_t grain,
+                      const std::function<void(std::size_t, std::size_t)> &body) const {
   grain = std::max<std::size_t>(1, grain);
   const std::size_t chunks = n / grain + (n % grain != 0);
   const auto chunk = [&](std::size_t c) { body(c * grain, std::min(n, (c + 1) * grain)); };

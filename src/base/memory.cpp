@@ -44,12 +44,17 @@ void deallocate(void *memory) noexcept {
     std::free(block);
 }
 
-AllocatorScope::AllocatorScope(std::shared_ptr<const AllocatorHooks> hooks) noexcept : previous_(std::move(current_hooks)) {
+AllocatorScope::AllocatorScope(std::shared_ptr<const AllocatorHooks> hooks) noexcept
+    : previous_(std::move(current_hooks)) {
   current_hooks = std::move(hooks);
 }
 
-AllocatorScope::~AllocatorScope() { current_hooks = std::move(previous_); }
+AllocatorScope::~AllocatorScope() {
+  current_hooks = std::move(previous_);
+}
 
-std::shared_ptr<const AllocatorHooks> AllocatorScope::current() noexcept { return current_hooks; }
+std::shared_ptr<const AllocatorHooks> AllocatorScope::current() noexcept {
+  return current_hooks;
+}
 
 }  // namespace ts

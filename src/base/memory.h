@@ -1,5 +1,6 @@
-// Memory of the caller's: every large buffer is a Vec, and a Vec takes its memory from the allocator hook of the context
-// that the running thread works for (AllocatorScope). A block remembers whom it came from, so it can be freed anywhere.
+// Memory of the caller's: every large buffer is a Vec, and a Vec takes its memory from the allocator hook of the
+// context that the running thread works for (AllocatorScope). A block remembers whom it came from, so it can be freed
+// anywhere.
 #pragma once
 
 #include <cstddef>

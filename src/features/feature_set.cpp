@@ -12,7 +12,8 @@ FeatureSet::FeatureSet(const Features &found)
   for (const features::Group &g : found.groups) {
     const Index id = next_group_++;
     groups_.push_back({id, g.from, g.to, g.confidence, Vec3::Zero(), 0});
-    for (const features::Point &p : g.points) points_.push_back({next_point_++, id, p.vertex, p.position, p.convexity, false});
+    for (const features::Point &p : g.points)
+      points_.push_back({next_point_++, id, p.vertex, p.position, p.convexity, false});
   }
   settle();
 }
@@ -33,8 +34,9 @@ Index FeatureSet::insert_group(const Vec3 &at) {
   std::size_t best = 0;
   double least = groups_.empty() ? 0 : distance(0);
   for (std::size_t i = 1; i <= groups_.size(); ++i) {
-    const double added = i == groups_.size() ? distance(i - 1)
-                                             : distance(i - 1) + distance(i) - (groups_[i - 1].centre - groups_[i].centre).norm();
+    const double added = i == groups_.size()
+                             ? distance(i - 1)
+                             : distance(i - 1) + distance(i) - (groups_[i - 1].centre - groups_[i].centre).norm();
     if (added < least) {
       least = added;
       best = i;
