@@ -1,0 +1,57 @@
+#include "features/detect.h"
+
+#include "features/analysis.h"
+#include "features/points.h"
+#include "features/weights.h"
+
+namespace ts::features {
+
+Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, const Executor &executor,
+                 const Progress &progress) {
+  constexpr double spacing = 0.5;  // of the area samples, mm: a quarter of the default radius
+  const Vec<geometry::Sample> samples = geometry::area_samples(surface, spacing);
+  if (samples.empty()) throw Error(Fault::no_teeth, "the surface has no area");
+  progress(0.2);
+  const geometry::SampleBins bins(samples, 1.0);
+  Vec<Vec3> position(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) position[i] = samples[i].position;
+  const Vec<double> cv = geometry::convexity(bins, position, {}, options.radius, executor);
+  progress(0.5);
+  const Orientation looks = orientation(samples, cv, options.occlusal);
+  const Plan plan(looks.occlusal, samples.front().position);
+  const ArchCurve curve = arch_curve(samples, cv, looks.inside_out, plan);
+  const TopView view(surface, plan, looks.inside_out);
+  progress(0.7);
+  const Strip strip = make_strip(curve, view, plan, bins, looks.inside_out, options.radius, executor);
+  progress(0.9);
+  return {looks, plan, view, strip, gather(strip, executor)};
+}
+
+Features detect(const mesh::Surface &surface, const DetectOptions &options, const Executor &executor,
+                const Progress &progress) {
+  const Analysis a = analyse(surface, options, executor, progress.part(0, 0.9, "features"));
+  const Vec<ToothSpan> teeth = best_division(Lattice(a.evidence, fitted_weights));
+
+  Features found;
+  found.occlusal = a.looks.occlusal;
+  found.inside_out = a.looks.inside_out;
+  float height = 0;
+  for (int i = 0; i < a.strip.slices; i += 4) {
+    const Vec2 p = a.strip.curve.point[i];
+    if (!std::isnan(a.strip.crest[i])) height = a.strip.crest[i];
+    found.arch.push_back(a.plan.back({p.x(), p.y(), height}));
+  }
+  for (const ToothSpan &tooth : teeth) {
+    Group group;
+    group.points = tooth_points(surface, a.strip, a.view, a.plan, tooth, options.max_points);
+    group.from = tooth.from * Strip::step;
+    group.to = tooth.to * Strip::step;
+    group.confidence = tooth.confidence;
+    if (!group.points.empty()) found.groups.push_back(std::move(group));
+  }
+  if (found.groups.empty()) throw Error(Fault::no_teeth, "nothing along the arch looks like a tooth");
+  progress(1);
+  return found;
+}
+
+}  // namespace ts::features

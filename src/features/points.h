@@ -1,0 +1,13 @@
+// Feature points of one tooth: cusps and the corners of incisal edges.
+#pragma once
+
+#include "features/features.h"
+#include "features/teeth.h"
+
+namespace ts::features {
+
+// Best first; at most `most`. Empty where the span has no crown to speak of.
+Vec<Point> tooth_points(const mesh::Surface &surface, const Strip &strip, const TopView &view, const Plan &plan,
+                        const ToothSpan &tooth, unsigned most);
+
+}  // namespace ts::features
