@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "generate.h"
+
+#include <algorithm>
+
+#include "finish.h"
+#include "polygonise.h"
+#include "remesh.h"
+
+namespace tsa {
+namespace {
+
+std::vector<uint8_t> withinTrim(const Dentition &dentition, const TriMesh &mesh) {
+  std::vector<uint8_t> vertex(mesh.points.size()), face(mesh.faces.size());
+  for (size_t v = 0; v < vertex.size(); ++v) vertex[v] = dentition.trim(mesh.points[v]) >= 0;
+  for (size_t f = 0; f < face.size(); ++f)
+    face[f] = vertex[mesh.faces[f][0]] + vertex[mesh.faces[f][1]] + vertex[mesh.faces[f][2]] >= 2;
+  return face;
+}
+
+double area(const TriMesh &mesh, const std::vector<uint8_t> &counted) {
+  double sum = 0;
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto &t = mesh.faces[f];
+    if (counted[f]) sum += 0.5 * norm(cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]));
+  }
+  return sum;
+}
+
+TriMesh surface(const Dentition &dentition, uint32_t triangles) {
+  constexpr double kSurplus = 2.2;  // triangles of the grid for one of the result: enough to get rid of its slivers
+  constexpr double kTrial = 0.8;
+  const TriMesh trial = polygonise(dentition, kTrial);
+  const auto inTrial = withinTrim(dentition, trial);
+  const double found = static_cast<double>(std::count(inTrial.begin(), inTrial.end(), 1));
+  TriMesh fine = polygonise(dentition, kTrial * std::sqrt(found / (kSurplus * triangles)));
+  const auto counted = withinTrim(dentition, fine);
+  const double edge = std::sqrt(4 / std::sqrt(3.0) * area(fine, counted) / triangles);
+
+  const auto field = [&](Vec3 p) { return dentition.field(p); };
+  Remesher remesher(std::move(fine));
+  remesher.collapseTo(triangles, counted, edge);
+  remesher.project(field, 0.4 * edge);
+  for (int round = 0; round < 2; ++round) {
+    remesher.relax(0.5);
+    remesher.project(field, 0.4 * edge);
+    remesher.flip();
+  }
+  return trimmed(remesher.take(), [&](Vec3 p) { return dentition.trim(p); });
+}
+
+// The surface point under (u, v) of a tooth, seen along its axis; then uphill to the tip, which may lie a little aside.
+bool findTip(const Dentition &dentition, const PlacedTooth &tooth, const Tip &tip, uint32_t label, Vec3 &out) {
+  const auto drop = [&](double u, double v) {
+    double w = tooth.shape.height + 1.5;
+    for (int i = 0; i < 60; ++i) {
+      const double f = dentition.field(tooth.world(u, v, w));
+      if (f < 1e-4) break;
+      w -= 0.7 * std::min(f, 1.0);
+      if (w < 0.4 * tooth.shape.height) break;
+    }
+    return w;
+  };
+  double u = tip.u, v = tip.v, w = drop(u, v);
+  if (tip.kind == 0)
+    for (double step = 0.3; step > 0.04; step *= 0.5)
+      for (int i = 0; i < 4; ++i) {
+        double bestU = u, bestV = v;
+        for (int d = 0; d < 4; ++d) {
+          const double du = u + step * (d == 0) - step * (d == 1), dv = v + step * (d == 2) - step * (d == 3);
+          if (std::hypot(du - tip.u, dv - tip.v) > 0.9) continue;
+          const double dw = drop(du, dv);
+          if (dw > w + 1e-6) w = dw, bestU = du, bestV = dv;
+        }
+        if (bestU == u && bestV == v) break;
+        u = bestU, v = bestV;
+      }
+  out = tooth.world(u, v, w);
+  return w > 0.4 * tooth.shape.height && dentition.label(out) == label;
+}
+
+}  // namespace
+
+Arch generate(const Settings &settings) {
+  const Dentition dentition(settings);
+  Arch arch;
+  arch.mesh = surface(dentition, settings.triangles);
+  for (const auto &t : arch.mesh.faces)
+    arch.labels.push_back(dentition.label((1.0 / 3) * (arch.mesh.points[t[0]] + arch.mesh.points[t[1]] + arch.mesh.points[t[2]])));
+  removeSpecks(arch.mesh, arch.labels, static_cast<uint32_t>(dentition.teeth().size()) + 1);
+  for (uint32_t i = 0; i < dentition.teeth().size(); ++i) {
+    const PlacedTooth &tooth = dentition.teeth()[i];
+    arch.fdi.push_back(tooth.fdi);
+    for (const Tip &tip : tooth.shape.tips) {
+      Vec3 p;
+      if (findTip(dentition, tooth, tip, i + 1, p)) arch.features.push_back({i + 1, tip.kind, p});
+    }
+  }
+  if (settings.noise > 0) addNoise(arch.mesh, settings.noise * meanEdge(arch.mesh), settings.isotropic, settings.seed);
+  return arch;
+}
+
+}  // namespace tsa

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth_shape.h"
+
+namespace tsa {
+
+Profile::Profile(const std::vector<double> &at, const std::vector<double> &value) {
+  const int n = static_cast<int>(at.size());
+  const auto tangent = [&](int i) {
+    const int a = i > 0 ? i - 1 : 0, b = i + 1 < n ? i + 1 : n - 1;
+    return (value[b] - value[a]) / (at[b] - at[a]);
+  };
+  for (int s = 0; s <= kSteps; ++s) {
+    const double tau = -1.2 + 2.4 * s / kSteps;
+    int i = 0;
+    while (i + 2 < n && tau > at[i + 1]) ++i;
+    const double h = at[i + 1] - at[i], t = clamp01((tau - at[i]) / h);
+    const double t2 = t * t, t3 = t2 * t;
+    table_[s] = (2 * t3 - 3 * t2 + 1) * value[i] + (t3 - 2 * t2 + t) * h * tangent(i) +
+                (3 * t2 - 2 * t3) * value[i + 1] + (t3 - t2) * h * tangent(i + 1);
+  }
+}
+
+namespace {
+
+double elementHeight(const CapElement &e, double u, double v) {
+  constexpr double kTipRadius = 0.35;
+  const double du = e.u1 - e.u0, dv = e.v1 - e.v0, ll = du * du + dv * dv;
+  const double t = ll > 0 ? clamp01(((u - e.u0) * du + (v - e.v0) * dv) / ll) : 0;
+  const double x = u - e.u0 - t * du, y = v - e.v0 - t * dv;
+  return e.h0 + t * (e.h1 - e.h0) - e.slope * (std::sqrt(x * x + y * y + kTipRadius * kTipRadius) - kTipRadius);
+}
+
+// Signed distance, to first order, to the curve g = 1 with g^4 = X^4 + 2 k X^2 Y^2 + Y^4: an ellipse for k = 1, nearly a
+// rectangle for k = 0.
+double outline(double x, double y, double a, double b, double k) {
+  const double xx = x * x, yy = y * y;
+  const double g2 = std::sqrt(xx * xx + 2 * k * xx * yy + yy * yy);
+  if (g2 < 1e-6) return -std::fmin(a, b);
+  const double g = std::sqrt(g2), g3 = g * g2;
+  const double gx = x * (xx + k * yy) / (a * g3), gy = y * (yy + k * xx) / (b * g3);
+  return (g - 1) / std::sqrt(gx * gx + gy * gy);
+}
+
+}  // namespace
+
+double ToothShape::top(double u, double v) const {
+  double first = -1e3, second = -1e3, firstGroove = 0, secondGroove = 0;
+  for (const CapElement &e : cap) {
+    const double h = elementHeight(e, u, v);
+    if (h > first) {
+      second = first, secondGroove = firstGroove;
+      first = h, firstGroove = e.groove;
+    } else if (h > second) {
+      second = h, secondGroove = e.groove;
+    }
+  }
+  const double c = (first - second) / 0.3;
+  return first - fissureDepth * firstGroove * secondGroove * std::exp(-c * c);
+}
+
+ToothSample ToothShape::sample(double u, double v, double w) const {
+  if (w > height + kReach || std::abs(u) > 0.6 * md + kReach + 1 || std::abs(v) > 0.62 * fl + kReach + 1.5) return {};
+  const double tau = w / height;
+  const double a = halfWidth(tau), vf = facial(tau), vl = lingual(tau), k = roundness(tau);
+  const double b = 0.5 * (vf + vl), y = (v - 0.5 * (vf - vl)) / b;
+  const double yc = y < -1.2 ? -1.2 : (y > 1.2 ? 1.2 : y);
+  const double x = (u - shear * v) / (a * (1 + taper * yc));
+  double side = outline(x, y, a, b, k);
+  if (side > kReach) return {};
+
+  if (fossaDepth > 0 && y < 0.2) {
+    const double q = u / fossaWidth;
+    side += fossaDepth * std::exp(-q * q * q * q) * smoothstep(0.2, -0.5, y) * smoothstep(0.3, 0.62, tau);
+  }
+  for (const SideGroove &g : grooves) {
+    if (g.side * y <= 0) continue;
+    const double q = (u - g.u) / g.width;
+    if (q * q < 9) side += g.depth * std::exp(-q * q) * smoothstep(g.from, g.from + 0.45, tau) * smoothstep(0, 0.5, g.side * y);
+  }
+
+  ToothSample s;
+  s.crown = side;
+  if (tau > 0.3) {
+    constexpr double kCapScale = 0.87;  // 1 / sqrt(1 + slope^2) at the usual cuspal incline
+    s.crown = smoothMax(side, kCapScale * (w - top(u, v)), capBlend);
+  }
+  const double xc = std::fmin(std::abs(x), 1.25);
+  const double mid = gumLingual + (gumFacial - gumLingual) * smoothstep(-0.6, 0.6, y);
+  const double edge = mid + ((u > 0 ? papillaDistal : papillaMesial) - mid) * std::fmin(xc * xc * (0.6 + 0.4 * xc), 1.15);
+  const double below = edge - w;
+  const double thickness = 0.3 + 0.75 * smoothstep(0, 4.5, below);
+  s.gum = smoothMax(side - thickness, 0.9 * (w - edge), 0.55);
+  return s;
+}
+
+}  // namespace tsa
