@@ -4,47 +4,24 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesh/edge_table.h"
+#include "mesh/rows.h"
+
 namespace ts::mesh {
 namespace {
 
-struct HalfEdgeKey {
-  Edge ends;
-  Index halfedge;
-  bool operator<(const HalfEdgeKey &o) const { return ends != o.ends ? ends < o.ends : halfedge < o.halfedge; }
-};
-
-Rows rows_by(std::size_t rows, std::size_t items, const auto &row_of) {
-  // row_of(i) yields the rows item i belongs to, by calling its argument
-  Rows r;
-  r.start.assign(rows + 1, 0);
-  for (std::size_t i = 0; i < items; ++i) row_of(i, [&](Index row) { ++r.start[row + 1]; });
-  std::partial_sum(r.start.begin(), r.start.end(), r.start.begin());
-  r.item.resize(r.start.back());
-  Vec<Index> fill(r.start.begin(), r.start.end() - 1);
-  for (std::size_t i = 0; i < items; ++i) row_of(i, [&](Index row) { r.item[fill[row]++] = static_cast<Index>(i); });
-  return r;
-}
-
 void link_edges(Surface &s) {
-  const std::size_t halfedges = 3 * s.faces();
-  Vec<HalfEdgeKey> key(halfedges);
-  for (Index h = 0; h < halfedges; ++h) {
-    const Index a = s.from(h), b = s.to(h);
-    key[h] = {{std::min(a, b), std::max(a, b)}, h};
-  }
-  std::sort(key.begin(), key.end());
-  s.twin.assign(halfedges, none);
-  s.edge_of.resize(halfedges);
-  for (std::size_t i = 0; i < halfedges;) {
-    std::size_t j = i;
-    while (j < halfedges && key[j].ends == key[i].ends) s.edge_of[key[j++].halfedge] = static_cast<Index>(s.edge.size());
-    if (j - i == 2 && s.from(key[i].halfedge) != s.from(key[i + 1].halfedge)) {
-      s.twin[key[i].halfedge] = key[i + 1].halfedge;
-      s.twin[key[i + 1].halfedge] = key[i].halfedge;
-    }
-    s.edge.push_back(key[i].ends);
-    i = j;
-  }
+  const EdgeTable table(s.vertices(), s.triangle);
+  s.twin.assign(3 * s.faces(), none);
+  s.edge_of.resize(3 * s.faces());
+  s.edge.reserve(s.faces() + s.faces() / 2 + s.vertices() / 16);
+  table.each_edge([&](Index low, Index high, std::span<const EdgeTable::Entry> sides) {
+    for (const auto &[end, h] : sides) s.edge_of[h] = static_cast<Index>(s.edge.size());
+    s.edge.push_back({low, high});
+    if (sides.size() != 2 || s.from(sides[0][1]) == s.from(sides[1][1])) return;
+    s.twin[sides[0][1]] = sides[1][1];
+    s.twin[sides[1][1]] = sides[0][1];
+  });
 }
 
 void measure(Surface &s) {

@@ -1,0 +1,143 @@
+#include "mesh/clean.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "mesh/rows.h"
+#include "mesh/triangulate.h"
+
+namespace ts::mesh {
+namespace {
+
+// Three distinct corners and an area: a height of more than 1e-12 of the longest side, which is what rounding leaves.
+bool is_proper(std::span<const Vec3> position, const Triangle &t) {
+  const auto [a, b, c] = t;
+  if (a == b || b == c || c == a) return false;
+  const Vec3 u = position[b] - position[a], v = position[c] - position[a], w = position[c] - position[b];
+  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
+  return u.cross(v).norm() > 1e-12 * longest;
+}
+
+void cut_polygons(const RawMesh &raw, std::span<const Index> kept, CleanFaces &clean, Progress progress) {
+  Triangulator triangulate;
+  Vec<Index> polygon;
+  Vec<Triangle> parts;
+  clean.triangle.reserve(raw.faces());
+  clean.source.reserve(raw.faces());
+  for (Index f = 0; f < raw.faces(); ++f) {
+    if (f % 65536 == 0) progress(static_cast<double>(f) / static_cast<double>(raw.faces()));
+    const std::span<const Index> corners = raw.face(f);
+    parts.clear();
+    if (corners.size() == 3) {
+      parts.push_back({kept[corners[0]], kept[corners[1]], kept[corners[2]]});
+    } else if (corners.size() > 3) {
+      ++clean.polygons;
+      polygon.clear();
+      for (const Index v : corners) polygon.push_back(kept[v]);
+      if (!triangulate(raw.position, polygon, parts))
+        throw Error(Fault::mesh_too_large, "face " + std::to_string(f) + " is concave and has " +
+                                               std::to_string(corners.size()) + " corners: at most " +
+                                               std::to_string(most_concave_corners) + " can be cut into triangles");
+    }
+    const std::size_t before = clean.triangle.size();
+    for (const Triangle &t : parts) {
+      if (!is_proper(raw.position, t)) continue;
+      clean.triangle.push_back(t);
+      clean.source.push_back(f);
+    }
+    clean.degenerate += clean.triangle.size() == before;
+  }
+}
+
+// same[t]: the first triangle with the corners of t, whichever way round.
+Vec<Index> find_duplicates(std::span<const Triangle> triangle, std::size_t vertices) {
+  struct Key {
+    Index middle, high, triangle;
+    bool operator<(const Key &o) const {
+      return middle != o.middle ? middle < o.middle : high != o.high ? high < o.high : triangle < o.triangle;
+    }
+  };
+  const Rows by_low = rows_by(vertices, triangle.size(), [&](std::size_t t, const auto &add) {
+    add(std::min({triangle[t][0], triangle[t][1], triangle[t][2]}));
+  });
+  Vec<Index> same(triangle.size());
+  Vec<Key> key;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    key.clear();
+    for (const Index t : by_low[v]) {
+      Triangle s = triangle[t];
+      std::sort(s.begin(), s.end());
+      key.push_back({s[1], s[2], t});
+    }
+    std::sort(key.begin(), key.end());
+    for (std::size_t i = 0; i < key.size(); ++i) {
+      const bool again = i > 0 && key[i].middle == key[i - 1].middle && key[i].high == key[i - 1].high;
+      same[key[i].triangle] = again ? same[key[i - 1].triangle] : key[i].triangle;
+    }
+  }
+  return same;
+}
+
+void drop_duplicates(CleanFaces &clean, std::size_t vertices) {
+  const Vec<Index> same = find_duplicates(clean.triangle, vertices);
+  Vec<Index> place(same.size());  // of a triangle, or of the one it duplicates, among those kept
+  Index size = 0, last_counted = none;
+  for (Index t = 0; t < same.size(); ++t) {
+    const Index f = clean.source[t];
+    place[t] = same[t] == t ? size : place[same[t]];
+    // Its own first triangle, if one is kept; else the first that one of its triangles duplicates.
+    Index &label = clean.label[f];
+    if (label == none || (same[t] == t && clean.source[label] != f)) label = place[t];
+    if (same[t] != t) {
+      clean.duplicate += last_counted != f;
+      last_counted = f;
+      continue;
+    }
+    clean.triangle[size] = clean.triangle[t];
+    clean.source[size++] = f;
+  }
+  clean.triangle.resize(size);
+  clean.source.resize(size);
+}
+
+// A face that is gone takes the label of the triangle nearest to it among those at its corners (of the first 64 at
+// each: a vertex with more is no place on a tooth, and many such faces at one would take the square of them).
+void label_degenerate(const RawMesh &raw, std::span<const Index> kept, CleanFaces &clean) {
+  constexpr std::size_t most = 64;
+  Vec<std::uint8_t> wanted(raw.position.size(), 0);
+  for (Index f = 0; f < raw.faces(); ++f)
+    if (clean.label[f] == none)
+      for (const Index v : raw.face(f)) wanted[kept[v]] = 1;
+  const Rows around = rows_by(raw.position.size(), clean.triangle.size(), [&](std::size_t t, const auto &add) {
+    for (const Index v : clean.triangle[t])
+      if (wanted[v]) add(v);
+  });
+  for (Index f = 0; f < raw.faces(); ++f) {
+    const std::span<const Index> corners = raw.face(f);
+    if (clean.label[f] != none || corners.empty()) continue;
+    Vec3 centre(0, 0, 0);
+    for (const Index v : corners) centre += raw.position[v] / static_cast<double>(corners.size());
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index v : corners) {
+      const std::span<const Index> touching = around[kept[v]];
+      for (const Index t : touching.first(std::min(most, touching.size()))) {
+        const auto [a, b, c] = clean.triangle[t];
+        const double d = ((raw.position[a] + raw.position[b] + raw.position[c]) / 3 - centre).squaredNorm();
+        if (d < least) least = d, clean.label[f] = t;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+CleanFaces clean_faces(const RawMesh &raw, std::span<const Index> kept, Progress progress) {
+  CleanFaces clean;
+  cut_polygons(raw, kept, clean, progress);
+  clean.label.assign(raw.faces(), none);
+  drop_duplicates(clean, raw.position.size());
+  if (clean.degenerate > 0) label_degenerate(raw, kept, clean);
+  return clean;
+}
+
+}  // namespace ts::mesh

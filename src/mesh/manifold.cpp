@@ -1,0 +1,225 @@
+#include "mesh/manifold.h"
+
+#include <algorithm>
+
+#include "mesh/edge_table.h"
+
+namespace ts::mesh {
+namespace {
+
+struct Shared {  // an edge of more than two faces
+  Edge ends;
+  Vec<Index> side;
+};
+
+class Repair {
+ public:
+  Repair(std::span<const Vec3> position, Vec<Triangle> triangle)
+      : position_(position), triangle_(std::move(triangle)), twin_(3 * triangle_.size(), none) {}
+
+  Manifold run() {
+    link();
+    Vec<std::uint8_t> flip = orient();
+    if (!shared_.empty()) {
+      for (const Shared &s : shared_) pair_smoothest(s, flip);
+      flip = orient();
+    }
+    cut_misfits(flip);
+    apply(flip);
+    split();
+    for (bool again = true; come_apart(again); again = false) split();
+    return std::move(out_);
+  }
+
+ private:
+  Index from(Index h) const { return triangle_[h / 3][h % 3]; }
+  Index to(Index h) const { return from(next_in_face(h)); }
+  bool same_way(Index h, Index g) const { return from(h) == from(g); }
+  void join(Index h, Index g) { twin_[h] = g, twin_[g] = h; }
+  void part(Index h) {
+    if (twin_[h] != none) twin_[twin_[h]] = none;
+    twin_[h] = none;
+  }
+
+  void link();
+  Vec<std::uint8_t> orient() const;
+  double bend(const Edge &ends, Index h, Index g) const;
+  void pair_smoothest(const Shared &s, std::span<const std::uint8_t> flip);
+  void cut_misfits(std::span<const std::uint8_t> flip);
+  void apply(std::span<const std::uint8_t> flip);
+  void split();
+  bool come_apart(bool first_time);
+  bool pair_otherwise(std::span<const EdgeTable::Entry> sides);
+
+  std::span<const Vec3> position_;
+  Vec<Triangle> triangle_;  // of the given vertices
+  Vec<Index> twin_;         // joined half-edges, also such as do not fit each other yet
+  Vec<Shared> shared_;
+  Manifold out_;
+};
+
+void Repair::link() {
+  const EdgeTable table(position_.size(), triangle_);
+  table.each_edge([&](Index low, Index high, std::span<const EdgeTable::Entry> sides) {
+    if (sides.size() == 2) join(sides[0][1], sides[1][1]);
+    if (sides.size() <= 2) return;
+    Shared s{{low, high}, {}};
+    for (const auto &[end, h] : sides) s.side.push_back(h);
+    shared_.push_back(std::move(s));
+  });
+  out_.non_manifold_edges = static_cast<Index>(shared_.size());
+}
+
+// Which faces to turn round, so that joined faces agree and each piece keeps the winding of most of its area.
+Vec<std::uint8_t> Repair::orient() const {
+  Vec<std::uint8_t> flip(triangle_.size(), 2);  // 2: not reached
+  Vec<Index> piece;
+  for (Index seed = 0; seed < triangle_.size(); ++seed) {
+    if (flip[seed] != 2) continue;
+    flip[seed] = 0;
+    piece.assign(1, seed);
+    double as_is = 0, turned = 0;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Index f = piece[i];
+      const auto [a, b, c] = triangle_[f];
+      const double area = (position_[b] - position_[a]).cross(position_[c] - position_[a]).norm();
+      (flip[f] ? turned : as_is) += area;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        const Index g = twin_[h] == none ? f : face_of(twin_[h]);
+        if (flip[g] != 2) continue;
+        flip[g] = flip[f] ^ static_cast<std::uint8_t>(same_way(h, twin_[h]));
+        piece.push_back(g);
+      }
+    }
+    if (turned > as_is)
+      for (const Index f : piece) flip[f] ^= 1;
+  }
+  return flip;
+}
+
+// 0 if the faces at h and g are flat, 2 if one is folded onto the other. Of equal bends the convex one is less: bodies
+// that touch along an edge come apart.
+double Repair::bend(const Edge &ends, Index h, Index g) const {
+  const Vec3 origin = position_[ends[0]], axis = (position_[ends[1]] - origin).normalized();
+  const auto away = [&](Index side) -> Vec3 {
+    const Vec3 d = position_[from(next_in_face(next_in_face(side)))] - origin;
+    return (d - d.dot(axis) * axis).normalized();
+  };
+  const Vec3 a = away(h), b = away(g);
+  return 1 + a.dot(b) + (axis.cross(a).dot(b) > 0 ? 1e-6 : 0);
+}
+
+void Repair::pair_smoothest(const Shared &s, std::span<const std::uint8_t> flip) {
+  struct Pair {
+    double bend;
+    Index up, down;
+    bool operator<(const Pair &o) const {
+      return bend != o.bend ? bend < o.bend : up != o.up ? up < o.up : down < o.down;
+    }
+  };
+  // More than this is no surface: all come apart (and all pairs of them would be too many to look at).
+  if (s.side.size() > 32) return;
+  const auto goes_up = [&](Index h) { return (from(h) == s.ends[0]) != (flip[face_of(h)] != 0); };
+  Vec<Pair> pairs;
+  for (const Index h : s.side)
+    for (const Index g : s.side)
+      if (goes_up(h) && !goes_up(g)) pairs.push_back({bend(s.ends, h, g), h, g});
+  std::sort(pairs.begin(), pairs.end());
+  for (const auto &[bend, up, down] : pairs)
+    if (twin_[up] == none && twin_[down] == none) join(up, down);
+}
+
+void Repair::cut_misfits(std::span<const std::uint8_t> flip) {
+  for (Index h = 0; h < twin_.size(); ++h) {
+    const Index g = twin_[h];
+    if (g == none || g < h) continue;
+    const bool differ = flip[face_of(h)] != flip[face_of(g)];
+    if (same_way(h, g) == differ) continue;
+    part(h);
+    ++out_.unorientable_edges;
+  }
+}
+
+void Repair::apply(std::span<const std::uint8_t> flip) {
+  for (const std::uint8_t f : flip) out_.flipped += f;
+  if (out_.flipped == 0) return;
+  // a b c becomes a c b: side k of it becomes side 2 - k.
+  const auto moved = [&](Index h) { return flip[face_of(h)] ? h + 2 - 2 * (h % 3) : h; };
+  Vec<Index> twin(twin_.size(), none);
+  for (Index h = 0; h < twin_.size(); ++h)
+    if (twin_[h] != none) twin[moved(h)] = moved(twin_[h]);
+  twin_ = std::move(twin);
+  for (std::size_t f = 0; f < flip.size(); ++f)
+    if (flip[f]) std::swap(triangle_[f][1], triangle_[f][2]);
+}
+
+// Gives each fan of faces a vertex of its own; the first keeps the number.
+void Repair::split() {
+  out_.triangle = triangle_;
+  out_.copy_of.clear();
+  out_.non_manifold_vertices = 0;
+  Vec<std::uint8_t> fans(position_.size(), 0);
+  Vec<std::uint8_t> done(twin_.size(), 0);
+  const auto around = [&](Index corner, const auto &step, Index vertex) {
+    for (Index h = corner; h != none && !done[h]; h = step(h)) done[h] = 1, out_.triangle[h / 3][h % 3] = vertex;
+  };
+  const auto left = [&](Index h) { return twin_[next_in_face(next_in_face(h))]; };
+  const auto right = [&](Index h) { return twin_[h] == none ? none : next_in_face(twin_[h]); };
+  for (Index h = 0; h < twin_.size(); ++h) {
+    if (done[h]) continue;
+    Index v = from(h);
+    if (fans[v]) {
+      out_.non_manifold_vertices += fans[v] == 1;
+      fans[v] = 2;
+      out_.copy_of.push_back(v);
+      v = static_cast<Index>(position_.size() + out_.copy_of.size() - 1);
+    } else {
+      fans[v] = 1;
+    }
+    around(h, left, v);
+    if (right(h) != none) around(right(h), right, v);
+  }
+}
+
+// Faces may still meet at an edge though they were not joined there, where both its ends hold them together by another
+// way round (a pinched handle). Joined otherwise the first time, they mostly come apart; else they are torn off.
+bool Repair::come_apart(bool first_time) {
+  if (shared_.empty() && out_.unorientable_edges == 0) return false;
+  const EdgeTable table(position_.size() + out_.copy_of.size(), out_.triangle);
+  Vec<std::span<const EdgeTable::Entry>> stuck;
+  table.each_edge([&](Index, Index, std::span<const EdgeTable::Entry> sides) {
+    if (sides.size() > 2 || (sides.size() == 2 && twin_[sides[0][1]] != sides[1][1])) stuck.push_back(sides);
+  });
+  for (const std::span<const EdgeTable::Entry> sides : stuck) {
+    if (first_time && pair_otherwise(sides)) continue;
+    for (const auto &[end, h] : sides)
+      for (Index k = 3 * face_of(h); k < 3 * face_of(h) + 3; ++k) part(k);
+  }
+  return !stuck.empty();
+}
+
+bool Repair::pair_otherwise(std::span<const EdgeTable::Entry> sides) {
+  Vec<Index> up, down;  // those that are joined first, in the same order
+  for (const bool joined : {true, false})
+    for (const auto &[end, h] : sides) {
+      if ((twin_[h] != none) != joined || from(h) != from(sides[0][1])) continue;
+      up.push_back(h);
+      if (joined) down.push_back(twin_[h]);
+    }
+  for (const auto &[end, h] : sides)
+    if (twin_[h] == none && from(h) != from(sides[0][1])) down.push_back(h);
+  if (up.size() < down.size()) std::swap(up, down);
+  if (down.empty() || up.size() < 2) return false;
+  for (const Index h : up) part(h);
+  for (const Index h : down) part(h);
+  for (std::size_t i = 0; i < down.size(); ++i) join(down[i], up[(i + 1) % up.size()]);
+  return true;
+}
+
+}  // namespace
+
+Manifold make_manifold(std::span<const Vec3> position, Vec<Triangle> triangle) {
+  return Repair(position, std::move(triangle)).run();
+}
+
+}  // namespace ts::mesh

@@ -1,0 +1,21 @@
+// Makes a clean triangle list a manifold with consistent winding, by turning faces round and doubling vertices only.
+#pragma once
+
+#include <span>
+
+#include "mesh/surface.h"
+
+namespace ts::mesh {
+
+struct Manifold {
+  Vec<Triangle> triangle;  // the same faces in the same order
+  Vec<Index> copy_of;      // vertices appended to the given ones: what each is a copy of
+  Index flipped = 0, non_manifold_edges = 0, non_manifold_vertices = 0, unorientable_edges = 0;
+};
+
+// Faces that share an edge with one other face stay together. Where more than two meet, those go together that continue
+// each other most smoothly among those wound alike; the rest comes apart. Each piece is wound as most of its area was.
+// No degenerate or duplicate faces, each vertex used.
+Manifold make_manifold(std::span<const Vec3> position, Vec<Triangle> triangle);
+
+}  // namespace ts::mesh

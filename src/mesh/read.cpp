@@ -1,0 +1,90 @@
+#include "mesh/read.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include "mesh/text.h"
+
+namespace ts::mesh {
+namespace {
+
+// The keywords that an OBJ file can begin with.
+bool is_obj_word(std::string_view w) {
+  static constexpr std::array<std::string_view, 14> words = {"v", "vt", "vn", "vp",     "f",      "o",      "g",
+                                                             "s", "l",  "p",  "usemtl", "mtllib", "cstype", "deg"};
+  return std::find(words.begin(), words.end(), w) != words.end();
+}
+
+bool is_text(std::string_view begin, bool or_zero) {
+  return std::all_of(begin.begin(), begin.end(), [&](char c) {
+    return static_cast<unsigned char>(c) >= 32 || (c >= 9 && c <= 13) || (or_zero && c == 0);
+  });
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+  return text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
+}
+
+Vec<std::byte> bytes_of(const std::string &path) {
+  const std::filesystem::path native(std::u8string(path.begin(), path.end()));
+  std::error_code code;
+  if (std::filesystem::is_directory(native, code)) throw Error(Fault::file_open, "'" + path + "' is a directory");
+  std::ifstream in(native, std::ios::binary);
+  if (!in) throw Error(Fault::file_open, "cannot open '" + path + "'");
+  Vec<std::byte> bytes;
+  std::size_t size = 0;
+  const std::uintmax_t expected = std::filesystem::file_size(native, code);
+  bytes.resize(code ? std::size_t{1} << 20 : static_cast<std::size_t>(expected) + 1);
+  for (;;) {
+    in.read(reinterpret_cast<char *>(bytes.data() + size), static_cast<std::streamsize>(bytes.size() - size));
+    size += static_cast<std::size_t>(in.gcount());
+    if (in.eof()) break;
+    if (!in) throw Error(Fault::file_open, "cannot read '" + path + "' beyond byte " + std::to_string(size));
+    bytes.resize(2 * bytes.size());
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+}  // namespace
+
+Format format_of(std::span<const std::byte> file) {
+  const std::string_view all = without_byte_order_mark(as_text(file));
+  if (all.starts_with("OFF BINARY")) return Format::off;
+  if (all.starts_with("ply\n") || all.starts_with("ply\r")) return Format::ply;
+  if (is_binary_stl(file)) {
+    // Told from an image or an archive by its header, which is text, or text and zeros, or has the colour of the part.
+    const std::string_view header = all.substr(0, 80);
+    if (is_text(header, true) || header.find("COLOR=") != header.npos || is_complete_stl(file)) return Format::stl;
+  }
+  if (!is_text(all.substr(0, 4096), false)) throw Error(Fault::file_format, "neither STL nor PLY, OBJ or OFF");
+  Text text(all, '#');
+  const std::string_view word = text.word();
+  if (same_word(word, "solid")) return Format::stl;
+  if (word.ends_with("OFF")) return Format::off;
+  if (is_obj_word(word)) return Format::obj;
+  throw Error(Fault::file_format, file.empty() ? "the file is empty" : "neither STL nor PLY, OBJ or OFF");
+}
+
+RawMesh read_mesh(std::span<const std::byte> file, Format format, Progress progress) {
+  const Progress reading = progress.part(0, 1, "reading");
+  if (format == Format::automatic) format = format_of(file);
+  if (as_text(file).starts_with("\xef\xbb\xbf")) file = file.subspan(3);
+  switch (format) {
+    case Format::stl: return read_stl(file, reading);
+    case Format::ply: return read_ply(file, reading);
+    case Format::obj: return read_obj(file, reading);
+    case Format::off: return read_off(file, reading);
+    case Format::automatic: break;
+  }
+  throw Error(Fault::invalid_argument, "format " + std::to_string(static_cast<int>(format)) + " is not one");
+}
+
+RawMesh load_mesh(const std::string &path, Progress progress) {
+  const Vec<std::byte> file = bytes_of(path);
+  return read_mesh(file, Format::automatic, progress);
+}
+
+}  // namespace ts::mesh
