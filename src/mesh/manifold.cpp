@@ -7,9 +7,15 @@
 namespace ts::mesh {
 namespace {
 
-struct Shared {  // an edge of more than two faces
+struct Shared {  // an edge of more than two faces, or of two that are not joined
   Edge ends;
   Vec<Index> side;
+};
+
+struct Side {  // of an edge after splitting
+  Edge ends;
+  Index halfedge;
+  bool operator<(const Side &o) const { return ends != o.ends ? ends < o.ends : halfedge < o.halfedge; }
 };
 
 class Repair {
@@ -49,7 +55,8 @@ class Repair {
   void apply(std::span<const std::uint8_t> flip);
   void split();
   bool come_apart(bool first_time);
-  bool pair_otherwise(std::span<const EdgeTable::Entry> sides);
+  bool pair_otherwise(std::span<const Side> sides);
+  Edge corner_vertices(Index h) const;
 
   std::span<const Vec3> position_;
   Vec<Triangle> triangle_;  // of the given vertices
@@ -136,6 +143,7 @@ void Repair::cut_misfits(std::span<const std::uint8_t> flip) {
     const bool differ = flip[face_of(h)] != flip[face_of(g)];
     if (same_way(h, g) == differ) continue;
     part(h);
+    shared_.push_back({{from(h), to(h)}, {h, g}});
     ++out_.unorientable_edges;
   }
 }
@@ -149,6 +157,8 @@ void Repair::apply(std::span<const std::uint8_t> flip) {
   for (Index h = 0; h < twin_.size(); ++h)
     if (twin_[h] != none) twin[moved(h)] = moved(twin_[h]);
   twin_ = std::move(twin);
+  for (Shared &s : shared_)
+    for (Index &h : s.side) h = moved(h);
   for (std::size_t f = 0; f < flip.size(); ++f)
     if (flip[f]) std::swap(triangle_[f][1], triangle_[f][2]);
 }
@@ -184,30 +194,40 @@ void Repair::split() {
 // Faces may still meet at an edge though they were not joined there, where both its ends hold them together by another
 // way round (a pinched handle). Joined otherwise the first time, they mostly come apart; else they are torn off.
 bool Repair::come_apart(bool first_time) {
-  if (shared_.empty() && out_.unorientable_edges == 0) return false;
-  const EdgeTable table(position_.size() + out_.copy_of.size(), out_.triangle);
-  Vec<std::span<const EdgeTable::Entry>> stuck;
-  table.each_edge([&](Index, Index, std::span<const EdgeTable::Entry> sides) {
-    if (sides.size() > 2 || (sides.size() == 2 && twin_[sides[0][1]] != sides[1][1])) stuck.push_back(sides);
-  });
-  for (const std::span<const EdgeTable::Entry> sides : stuck) {
+  Vec<Side> group;
+  Vec<std::span<const Side>> stuck;
+  for (const Shared &s : shared_)
+    for (const Index h : s.side) group.push_back({corner_vertices(h), h});
+  std::sort(group.begin(), group.end());
+  for (std::size_t i = 0, j = 0; i < group.size(); i = j) {
+    while (j < group.size() && group[j].ends == group[i].ends) ++j;
+    if (j - i > 2 || (j - i == 2 && twin_[group[i].halfedge] != group[i + 1].halfedge))
+      stuck.push_back({group.data() + i, j - i});
+  }
+  for (const std::span<const Side> sides : stuck) {
     if (first_time && pair_otherwise(sides)) continue;
-    for (const auto &[end, h] : sides)
-      for (Index k = 3 * face_of(h); k < 3 * face_of(h) + 3; ++k) part(k);
+    for (const Side &side : sides)
+      for (Index k = 3 * face_of(side.halfedge), end = k + 3; k < end; ++k) part(k);
   }
   return !stuck.empty();
 }
 
-bool Repair::pair_otherwise(std::span<const EdgeTable::Entry> sides) {
+// The ends of a half-edge after splitting, smaller first.
+Edge Repair::corner_vertices(Index h) const {
+  const Index a = out_.triangle[h / 3][h % 3], b = out_.triangle[h / 3][next_in_face(h) % 3];
+  return {std::min(a, b), std::max(a, b)};
+}
+
+bool Repair::pair_otherwise(std::span<const Side> sides) {
   Vec<Index> up, down;  // those that are joined first, in the same order
   for (const bool joined : {true, false})
-    for (const auto &[end, h] : sides) {
-      if ((twin_[h] != none) != joined || from(h) != from(sides[0][1])) continue;
+    for (const auto &[ends, h] : sides) {
+      if ((twin_[h] != none) != joined || from(h) != from(sides[0].halfedge)) continue;
       up.push_back(h);
       if (joined) down.push_back(twin_[h]);
     }
-  for (const auto &[end, h] : sides)
-    if (twin_[h] == none && from(h) != from(sides[0][1])) down.push_back(h);
+  for (const auto &[ends, h] : sides)
+    if (twin_[h] == none && from(h) != from(sides[0].halfedge)) down.push_back(h);
   if (up.size() < down.size()) std::swap(up, down);
   if (down.empty() || up.size() < 2) return false;
   for (const Index h : up) part(h);
