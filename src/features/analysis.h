@@ -3,7 +3,7 @@
 
 #include "base/progress.h"
 #include "features/detect.h"
-#include "features/evidence.h"
+#include "features/teeth.h"
 
 namespace ts::features {
 
@@ -17,5 +17,9 @@ struct Analysis {
 
 Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, const Executor &executor,
                  const Progress &progress);
+
+// The division that `weights` prefer, with its points.
+Features divide(const mesh::Surface &surface, const Analysis &analysis, const Weights &weights,
+                const DetectOptions &options);
 
 }  // namespace ts::features

@@ -27,11 +27,8 @@ Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, con
   return {looks, plan, view, strip, gather(strip, executor)};
 }
 
-Features detect(const mesh::Surface &surface, const DetectOptions &options, const Executor &executor,
-                const Progress &progress) {
-  const Analysis a = analyse(surface, options, executor, progress.part(0, 0.9, "features"));
-  const Vec<ToothSpan> teeth = best_division(Lattice(a.evidence, fitted_weights));
-
+Features divide(const mesh::Surface &surface, const Analysis &a, const Weights &weights, const DetectOptions &options) {
+  const Vec<ToothSpan> teeth = best_division(Lattice(a.evidence, weights));
   Features found;
   found.occlusal = a.looks.occlusal;
   found.inside_out = a.looks.inside_out;
@@ -50,6 +47,13 @@ Features detect(const mesh::Surface &surface, const DetectOptions &options, cons
     if (!group.points.empty()) found.groups.push_back(std::move(group));
   }
   if (found.groups.empty()) throw Error(Fault::no_teeth, "nothing along the arch looks like a tooth");
+  return found;
+}
+
+Features detect(const mesh::Surface &surface, const DetectOptions &options, const Executor &executor,
+                const Progress &progress) {
+  const Analysis a = analyse(surface, options, executor, progress.part(0, 0.95, "features"));
+  Features found = divide(surface, a, fitted_weights, options);
   progress(1);
   return found;
 }

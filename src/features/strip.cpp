@@ -11,6 +11,27 @@ constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr int crown_reach = 28;  // |t| <= 7 mm: a crown's half width and what the curve may be off
 constexpr double depth = 6;      // below the top of a crown, where convexity is of interest, mm
 
+// Cells with surface all around them, for 1.5 mm along and across.
+Vec<std::uint8_t> off_rims(const Strip &strip) {
+  constexpr int margin = static_cast<int>(1.5 / Strip::step);
+  Vec<std::uint8_t> inside(strip.height.size(), 0), along(strip.height.size(), 0);
+  for (int j = 0; j < Strip::across; ++j) {
+    int run = 0;
+    for (int i = 0; i < strip.slices; ++i) {
+      run = std::isnan(strip.height[strip.at(i, j)]) ? 0 : run + 1;
+      if (run > 2 * margin) along[strip.at(i - margin, j)] = 1;
+    }
+  }
+  for (int i = 0; i < strip.slices; ++i) {
+    int run = 0;
+    for (int j = 0; j < Strip::across; ++j) {
+      run = std::isnan(strip.height[strip.at(i, j)]) ? 0 : run + 1;
+      if (run > 2 * margin && along[strip.at(i, j - margin)]) inside[strip.at(i, j - margin)] = 1;
+    }
+  }
+  return inside;
+}
+
 }  // namespace
 
 TopView::TopView(const mesh::Surface &surface, const Plan &plan, bool inside_out) {
@@ -100,10 +121,12 @@ Strip make_strip(const ArchCurve &curve, const TopView &view, const Plan &plan, 
       }
   });
 
+  // Near a rim of the scan a flap of cheek or a ragged corner may stand higher than the teeth.
+  const Vec<std::uint8_t> inside = off_rims(strip);
   strip.crest.assign(strip.slices, nothing);
   for (int i = 0; i < strip.slices; ++i)
     for (int j = Strip::half - crown_reach; j <= Strip::half + crown_reach; ++j)
-      strip.crest[i] = std::fmax(strip.crest[i], strip.height[strip.at(i, j)]);
+      if (inside[strip.at(i, j)]) strip.crest[i] = std::fmax(strip.crest[i], strip.height[strip.at(i, j)]);
   strip.top.assign(strip.slices, nothing);
   const int tooth = static_cast<int>(4 / Strip::step);  // a tooth or its neighbour is within 4 mm
   for (int i = 0; i < strip.slices; ++i)
