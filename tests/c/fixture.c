@@ -162,9 +162,9 @@ ts_model *make_model(ts_context *context, const mesh *m) {
 scan make_scan(uint32_t triangles, uint32_t threads) {
   scan s;
   memset(&s, 0, sizeof s);
-  s.mesh = make_arch(triangles);
+  s.arch = make_arch(triangles);
   s.context = make_context(threads);
-  s.model = make_model(s.context, &s.mesh);
+  s.model = make_model(s.context, &s.arch);
   need(ts_detect_features(s.model, NULL, NULL, &s.features), "features");
   need(ts_segmentation_create(s.features, NULL, NULL, &s.segmentation), "segmentation");
   return s;
@@ -175,7 +175,7 @@ void free_scan(scan *s) {
   ts_features_destroy(s->features);
   ts_model_destroy(s->model);
   ts_context_destroy(s->context);
-  free_mesh(&s->mesh);
+  free_mesh(&s->arch);
 }
 
 double *proposed_clicks(const ts_segmentation *segmentation, uint32_t *count) {

@@ -23,7 +23,7 @@ ts_mesh_input input_of(const mesh *m);
 
 /* A scan on the way through the library as far as it is wanted. */
 typedef struct scan {
-  mesh mesh;
+  mesh arch; /* what it was made from */
   ts_context *context;
   ts_model *model;
   ts_features *features;

@@ -20,11 +20,11 @@ typedef union head {
 } head;
 enum { magic = 0x7007 };
 
-static void *take(size_t bytes, void *user) {
+static void *take(size_t size, void *user) {
   memory *m = user;
   head *h;
   if (++m->taken == m->fails_at) return NULL;
-  h = malloc(sizeof *h + bytes);
+  h = malloc(sizeof *h + size);
   if (h == NULL) return NULL;
   h->magic = magic;
   ++m->blocks;
@@ -193,7 +193,7 @@ static void a_failed_click_changes_nothing(void) {
 
 /* ------------------------------------------------------------------------------------------------------------ log */
 
-typedef struct log {
+typedef struct log_seen {
   int lines, newlines, bad_levels;
 } log_seen;
 

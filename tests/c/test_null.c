@@ -106,7 +106,7 @@ static void setup_functions(void) {
 }
 
 static void model_functions(void) {
-  const ts_mesh_input input = input_of(&s.mesh);
+  const ts_mesh_input input = input_of(&s.arch);
   ts_mesh_input without;
   ts_surface_point point;
   double xyz[3] = {5, 5, 5};

@@ -43,7 +43,7 @@ static ts_status use_context(void *o) {
 static ts_status use_input(void *o) {
   ts_model *out = NULL;
   ts_mesh_input *input = o;
-  const ts_mesh_input good = input_of(&s.mesh);
+  const ts_mesh_input good = input_of(&s.arch);
   const uint32_t size = input->struct_size;
   ts_status status;
   *input = good;
@@ -55,7 +55,7 @@ static ts_status use_input(void *o) {
 
 static ts_status use_intake(void *o) {
   ts_model *out = NULL;
-  const ts_mesh_input input = input_of(&s.mesh);
+  const ts_mesh_input input = input_of(&s.arch);
   const ts_status status = ts_model_create(s.context, &input, o, NULL, &out);
   ts_model_destroy(out);
   return status;
