@@ -6,6 +6,7 @@
 namespace ts::cut {
 
 using mesh::Index;
+using mesh::Surface;
 using mesh::Vec3;
 
 // The point (1 - t) a + t b of the edge from vertex a to vertex b.
@@ -17,6 +18,7 @@ struct EdgePoint {
 
 struct Polyline {
   Vec<EdgePoint> points;  // a closed one repeats no point; an open one begins and ends on borders of the surface
+  Vec<Index> faces;       // of the segment that begins at each point (an open line has one less)
   bool closed = false;
   double length = 0;  // mm
 };

@@ -1,0 +1,157 @@
+#include "cut/contour.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/gradient.h"
+
+namespace ts::cut {
+namespace {
+
+// Keeps the points of different edges apart where the line passes a vertex.
+constexpr double kLeastT = 1e-6;
+
+double seam(double c) {
+  return c * c / (c * c + 0.25);
+}
+
+EdgePoint point_on(const Surface &s, std::span<const double> u, double iso, Index halfedge) {
+  EdgePoint p;
+  p.a = s.from(halfedge), p.b = s.to(halfedge);
+  if (p.a > p.b) std::swap(p.a, p.b);  // the same bytes from both faces
+  p.t = std::clamp((iso - u[p.a]) / (u[p.b] - u[p.a]), kLeastT, 1 - kLeastT);
+  p.position = (1 - p.t) * s.position[p.a] + p.t * s.position[p.b];
+  return p;
+}
+
+// A crossed face has one half-edge that leaves u < iso and one that comes back; the line runs from the first to the
+// second, which the next face sees as its first.
+struct Crossing {
+  Index leaves = mesh::none, returns = mesh::none;
+};
+
+Crossing crossing(const Surface &s, std::span<const double> u, double iso, Index f) {
+  Crossing c;
+  const auto &t = s.triangle[f];
+  if (std::isnan(u[t[0]] + u[t[1]] + u[t[2]])) return c;
+  const bool below[3] = {u[t[0]] < iso, u[t[1]] < iso, u[t[2]] < iso};
+  for (Index k = 0; k < 3; ++k) {
+    const bool from = below[k], to = below[(k + 1) % 3];
+    if (from && !to) c.leaves = 3 * f + k;
+    if (!from && to) c.returns = 3 * f + k;
+  }
+  return c;
+}
+
+double face_gradient_norm(const Surface &s, std::span<const double> u, Index f) {
+  const auto &t = s.triangle[f];
+  return geometry::face_gradient(s, f, u[t[0]], u[t[1]], u[t[2]]).norm();
+}
+
+struct Sums {
+  double length = 0, gradient = 0, concavity = 0, inverse = 0;
+
+  void add(double l, double g, double c) {
+    length += l;
+    gradient += l * g;
+    concavity += l * seam(c);
+    inverse += l / std::max(g, 1e-12);
+  }
+  Score score() const {
+    if (!(length > 0)) return {};
+    return {length, gradient / length, concavity / length, length / inverse};
+  }
+};
+
+}  // namespace
+
+Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double iso) {
+  Vec<Index> crossed;
+  for (Index f = 0; f < surface.faces(); ++f)
+    if (crossing(surface, u, iso, f).leaves != mesh::none) crossed.push_back(f);
+  Vec<std::uint8_t> done(crossed.size(), 0);
+  const auto place = [&](Index f) {
+    const auto at = std::lower_bound(crossed.begin(), crossed.end(), f);
+    return at != crossed.end() && *at == f ? static_cast<std::size_t>(at - crossed.begin()) : crossed.size();
+  };
+  Vec<Polyline> lines;
+  const auto trace = [&](Index first) {
+    Polyline line;
+    for (Index f = first;;) {
+      const std::size_t i = place(f);
+      if (i == crossed.size()) break;  // into faces with a NaN: as open as a border
+      if (done[i]) {
+        line.closed = true;
+        break;
+      }
+      done[i] = 1;
+      const Crossing c = crossing(surface, u, iso, f);
+      line.points.push_back(point_on(surface, u, iso, c.leaves));
+      line.faces.push_back(f);
+      const Index across = surface.twin[c.returns];
+      if (across == mesh::none || place(mesh::face_of(across)) == crossed.size()) {
+        line.points.push_back(point_on(surface, u, iso, c.returns));
+        break;
+      }
+      f = mesh::face_of(across);
+    }
+    for (std::size_t i = 0; i < line.faces.size(); ++i)
+      line.length += (line.points[(i + 1) % line.points.size()].position - line.points[i].position).norm();
+    lines.push_back(std::move(line));
+  };
+  for (std::size_t i = 0; i < crossed.size(); ++i) {  // open lines, from their beginnings
+    const Index across = surface.twin[crossing(surface, u, iso, crossed[i]).leaves];
+    if (across == mesh::none || place(mesh::face_of(across)) == crossed.size()) trace(crossed[i]);
+  }
+  for (std::size_t i = 0; i < crossed.size(); ++i)
+    if (!done[i]) trace(crossed[i]);
+  return lines;
+}
+
+Score score(const Surface &surface, std::span<const double> u, std::span<const double> concavity,
+            std::span<const Polyline> lines) {
+  Sums sums;
+  const auto at = [&](const EdgePoint &p) { return (1 - p.t) * concavity[p.a] + p.t * concavity[p.b]; };
+  for (const Polyline &line : lines)
+    for (std::size_t i = 0; i < line.faces.size(); ++i) {
+      const EdgePoint &p = line.points[i], &q = line.points[(i + 1) % line.points.size()];
+      sums.add((q.position - p.position).norm(), face_gradient_norm(surface, u, line.faces[i]), (at(p) + at(q)) / 2);
+    }
+  return sums.score();
+}
+
+Vec<Score> score_all(const Surface &surface, std::span<const double> u, std::span<const double> concavity,
+                     std::size_t n) {
+  Vec<Sums> sums(n);
+  for (Index f = 0; f < surface.faces(); ++f) {
+    auto t = surface.triangle[f];
+    if (std::isnan(u[t[0]] + u[t[1]] + u[t[2]])) continue;
+    std::sort(t.begin(), t.end(), [&](Index a, Index b) { return u[a] < u[b]; });
+    const double low = u[t[0]], middle = u[t[1]], high = u[t[2]];
+    if (!(high > low)) continue;
+    // u < iso <= ... : the iso-values in (low, high]
+    const auto first = std::max(0.0, std::floor(low * static_cast<double>(n + 1)) - 1);
+    if (first >= static_cast<double>(n)) continue;
+    double gradient = -1;
+    for (auto k = static_cast<std::size_t>(first); k < n; ++k) {
+      const double iso = iso_value(k, n);
+      if (iso <= low) continue;
+      if (iso > high) break;
+      if (gradient < 0) gradient = face_gradient_norm(surface, u, f);
+      const double s = (iso - low) / (high - low);
+      const bool early = iso <= middle;
+      const Index a = early ? t[0] : t[1], b = early ? t[1] : t[2];
+      const double r = u[b] > u[a] ? (iso - u[a]) / (u[b] - u[a]) : 0;
+      const Vec3 p = (1 - s) * surface.position[t[0]] + s * surface.position[t[2]];
+      const Vec3 q = (1 - r) * surface.position[a] + r * surface.position[b];
+      const double cp = (1 - s) * concavity[t[0]] + s * concavity[t[2]];
+      const double cq = (1 - r) * concavity[a] + r * concavity[b];
+      sums[k].add((q - p).norm(), gradient, (cp + cq) / 2);
+    }
+  }
+  Vec<Score> scores(n);
+  for (std::size_t k = 0; k < n; ++k) scores[k] = sums[k].score();
+  return scores;
+}
+
+}  // namespace ts::cut

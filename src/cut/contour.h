@@ -1,0 +1,34 @@
+// Contours of a scalar field that is linear on each face, and how good they are as cuts.
+#pragma once
+
+#include <span>
+
+#include "cut/polyline.h"
+
+namespace ts::cut {
+
+// The contour u = iso as polylines, with u < iso on their left (seen from outside). Faces with a NaN are not crossed.
+// A vertex with u = iso counts as above it, so that lines never meet.
+Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double iso);
+
+// Means along a line or a whole contour.
+struct Score {
+  double length = 0;     // mm
+  double gradient = 0;   // |grad u|, 1/mm
+  double concavity = 0;  // c^2 / (c^2 + 0.25): near 1 in seams, near 0 elsewhere
+  double harmonic = 0;   // harmonic mean of |grad u|
+};
+
+Score score(const Surface &surface, std::span<const double> u, std::span<const double> concavity,
+            std::span<const Polyline> lines);
+
+// Iso-value k of n, spread evenly inside (0, 1): neither end value is one.
+inline double iso_value(std::size_t k, std::size_t n) {
+  return static_cast<double>(k + 1) / static_cast<double>(n + 1);
+}
+
+// The scores of the whole contours of all n iso-values, in one pass over the faces.
+Vec<Score> score_all(const Surface &surface, std::span<const double> u, std::span<const double> concavity,
+                     std::size_t n);
+
+}  // namespace ts::cut

@@ -1,0 +1,85 @@
+#include "cut/refine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cut/max_flow.h"
+#include "geometry/paths.h"
+
+namespace ts::cut {
+namespace {
+
+// Least and steepness of the seam's price, and weight of staying: experiments on 36 labelled scans, flat around.
+constexpr double kSeamLeast = 0.02, kSeamScale = 0.1, kStay = 0.1;
+constexpr double kNever = 1e6;
+
+double price(const Surface &s, std::span<const double> concavity, Index e) {
+  const double c = (concavity[s.edge[e][0]] + concavity[s.edge[e][1]]) / 2 / kSeamScale;
+  return s.edge_length(e) * (kSeamLeast + (1 - kSeamLeast) / (1 + c * c));
+}
+
+// Faces all of whose vertices are within `width` of the border of the region, ascending.
+Vec<Index> band_of(const Surface &s, const Mask &inside, double width) {
+  Vec<geometry::PathStart> border;
+  for (Index h = 0; h < s.twin.size(); ++h) {
+    const Index t = s.twin[h];
+    if (t == mesh::none || !inside[mesh::face_of(h)] || inside[mesh::face_of(t)]) continue;
+    border.push_back({s.from(h)});
+    border.push_back({s.to(h)});
+  }
+  Vec<Index> faces;
+  Vec<std::uint8_t> near(s.vertices(), 0);
+  geometry::PathFinder(s).search(
+      border, [&](Index e) { return s.edge_length(e); },
+      [&](Index v, double d, Index) {
+        if (d > width) return false;
+        near[v] = 1;
+        for (const Index f : s.vertex_faces[v]) faces.push_back(f);
+        return true;
+      });
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::erase_if(faces, [&](Index f) {
+    const auto &t = s.triangle[f];
+    return near[t[0]] + near[t[1]] + near[t[2]] < 3;
+  });
+  return faces;
+}
+
+}  // namespace
+
+void refine(const Surface &surface, std::span<const double> phi, std::span<const double> concavity,
+            std::span<const std::uint8_t> fixed, const RefineOptions &options, Mask &inside) {
+  const Vec<Index> band = band_of(surface, inside, options.band);
+  const auto place = [&](Index f) {
+    const auto at = std::lower_bound(band.begin(), band.end(), f);
+    return at != band.end() && *at == f ? static_cast<Index>(at - band.begin()) : mesh::none;
+  };
+  MaxFlow flow(band.size());
+  for (Index i = 0; i < band.size(); ++i) {
+    const Index f = band[i];
+    const auto &t = surface.triangle[f];
+    const double stay = kStay * std::abs(phi[t[0]] + phi[t[1]] + phi[t[2]]) / 3 * surface.face_area[f];
+    double in = inside[f] ? stay : 0, out = inside[f] ? 0 : stay;
+    if (!std::isfinite(stay)) in = 0, out = kNever;
+    for (const Index v : t) {
+      if (fixed[v] == 1) in += kNever;
+      if (fixed[v] == 2) out += kNever;
+    }
+    for (Index k = 0; k < 3; ++k) {
+      const Index h = 3 * f + k;
+      if (surface.twin[h] == mesh::none) continue;
+      const Index g = mesh::face_of(surface.twin[h]), j = place(g);
+      const double cost = price(surface, concavity, surface.edge_of[h]);
+      if (j == mesh::none)
+        (inside[g] ? in : out) += cost;  // what is beyond the band stays as it is
+      else if (i < j)
+        flow.add_edge(i, j, cost, cost);
+    }
+    flow.add_terminals(i, in, out);
+  }
+  flow.solve();
+  for (Index i = 0; i < band.size(); ++i) inside[band[i]] = flow.with_source(i);
+}
+
+}  // namespace ts::cut

@@ -1,0 +1,12 @@
+// Feature points that the field contradicts.
+#pragma once
+
+#include "field/solver.h"
+
+namespace ts::field {
+
+// 1 for the nodes to be left free: another tooth (or the gingiva) has more than half of the node's conductance to all
+// others, and more than its own tooth. The only node of a tooth is never left free.
+Vec<std::uint8_t> find_outliers(const Solver &solver, const Nodes &nodes);
+
+}  // namespace ts::field

@@ -1,0 +1,52 @@
+#include "field/weights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/curvature.h"
+
+namespace ts::field {
+namespace {
+
+constexpr std::size_t kGrain = 8192;
+constexpr double kLeastCotangent = 1e-3;
+
+template <class Weight>
+Vec<double> each_edge(const mesh::Surface &surface, const Executor &executor, const Weight &weight) {
+  Vec<double> w(surface.edge.size());
+  executor.ranges(w.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) w[e] = weight(static_cast<mesh::Index>(e));
+  });
+  return w;
+}
+
+Vec<double> paper_weights(const mesh::Surface &surface, const WeightOptions &o, const Executor &executor) {
+  const Vec<double> gauss = geometry::gaussian_curvature(surface, executor);
+  const Vec<mesh::Vec3> normal = geometry::vertex_normals(surface, geometry::NormalWeight::angle, executor);
+  const Vec<std::uint8_t> concave = geometry::concave_by_edges(surface, normal, o.theta, executor);
+  return each_edge(surface, executor, [&](mesh::Index e) {
+    const auto [i, j] = surface.edge[e];
+    const double w = surface.edge_length(e) / (std::abs(gauss[i] + gauss[j]) + o.gamma);
+    return concave[i] || concave[j] ? w * o.beta : w;
+  });
+}
+
+}  // namespace
+
+Vec<double> edge_weights(const mesh::Surface &surface, const Vec<double> &concavity, const WeightOptions &o,
+                         const Executor &executor) {
+  switch (o.scheme) {
+    case Scheme::concavity:
+      // The larger concavity of the two ends: an edge that only touches a seam crosses it as well.
+      return each_edge(surface, executor, [&](mesh::Index e) {
+        const auto [i, j] = surface.edge[e];
+        return o.beta + (1 - o.beta) * std::exp(-std::max(concavity[i], concavity[j]) / o.c0);
+      });
+    case Scheme::paper: return paper_weights(surface, o, executor);
+    case Scheme::cotangent: return geometry::cotangent_weights(surface, kLeastCotangent, executor);
+    case Scheme::uniform: break;
+  }
+  return Vec<double>(surface.edge.size(), 1.0);
+}
+
+}  // namespace ts::field

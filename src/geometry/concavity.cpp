@@ -1,0 +1,57 @@
+#include "geometry/concavity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ts::geometry {
+namespace {
+
+constexpr std::size_t kGrain = 4096;
+constexpr double kLeastCotangent = 0.01;
+
+}  // namespace
+
+double noise_gauge(const Surface &surface, const Executor &executor) {
+  const std::size_t n = surface.vertices();
+  const Vec<Vec3> normal = vertex_normals(surface, NormalWeight::angle, executor);
+  Vec<double> offset(n, 0), residual(n, 0);
+  executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const auto ring = surface.vertex_edges[v];
+      if (ring.empty()) continue;
+      Vec3 mean = Vec3::Zero();
+      for (const Index e : ring) mean += surface.position[surface.other_end(e, static_cast<Index>(v))];
+      offset[v] = (surface.position[v] - mean / static_cast<double>(ring.size())).dot(normal[v]);
+    }
+  });
+  executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const auto ring = surface.vertex_edges[v];
+      if (ring.empty()) continue;
+      double mean = 0;
+      for (const Index e : ring) mean += offset[surface.other_end(e, static_cast<Index>(v))];
+      residual[v] = std::abs(offset[v] - mean / static_cast<double>(ring.size()));
+    }
+  });
+  if (n == 0 || !(surface.mean_edge > 0)) return 0;
+  const auto middle = residual.begin() + static_cast<std::ptrdiff_t>(n / 2);
+  std::nth_element(residual.begin(), middle, residual.end());
+  return *middle / surface.mean_edge;
+}
+
+double presmoothing(double gauge) {
+  return gauge < 0.06 ? 0 : std::min(1.0, 2 * (gauge - 0.06));
+}
+
+Vec<double> concavity(const Surface &surface, double normal_radius, const Executor &executor) {
+  const Graph cotangent = make_graph(surface, cotangent_weights(surface, kLeastCotangent, executor));
+  const double pre = presmoothing(noise_gauge(surface, executor));
+  const Vec<Vec3> smoothed =
+      pre > 0 ? smooth(surface, cotangent, pre, surface.position, executor) : Vec<Vec3>(surface.position);
+  const Vec<Vec3> normal = smoothed_normals(surface, smoothed, cotangent, normal_radius, executor);
+  Vec<double> c = principal_curvatures(surface, smoothed, normal, executor).least;
+  for (double &k : c) k = std::max(0.0, -k);
+  return c;
+}
+
+}  // namespace ts::geometry

@@ -1,0 +1,187 @@
+#include "tooth/extract.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cut/line.h"
+#include "cut/refine.h"
+
+namespace ts::tooth {
+namespace {
+
+// Node values for "1 on `group`, 0 on what else is held".
+Vec<double> held_for(const Prepared &p, const Pick &pick, Index group) {
+  Vec<double> held(p.nodes.size(), field::free_node);
+  for (Index n = 0; n < p.nodes.size(); ++n) {
+    const Index g = p.nodes.group[n];
+    if (p.outlier[n]) continue;
+    const bool rest = g == field::gingiva_group || p.options.background == Background::all;
+    if (g == group)
+      held[n] = 1;
+    else if (rest || g == pick.target || g == pick.neighbour)
+      held[n] = 0;
+  }
+  return held;
+}
+
+Vec<Index> seeds_of(const Prepared &p, Index group) {
+  Vec<Index> seeds;
+  for (Index n = 0; n < p.nodes.size(); ++n)
+    if (p.nodes.group[n] == group && !p.outlier[n])
+      seeds.insert(seeds.end(), p.nodes.vertices[n].begin(), p.nodes.vertices[n].end());
+  std::sort(seeds.begin(), seeds.end());
+  return seeds;
+}
+
+// 1 = seeds of the tooth, 2 = of other teeth and gingiva, 0 = neither.
+Vec<std::uint8_t> fixed_for(const Prepared &p, Index group) {
+  Vec<std::uint8_t> fixed(p.surface->vertices(), 0);
+  for (Index n = 0; n < p.nodes.size(); ++n) {
+    if (p.outlier[n]) continue;
+    for (const Index v : p.nodes.vertices[n]) fixed[v] = p.nodes.group[n] == group ? 1 : 2;
+  }
+  return fixed;
+}
+
+// Best component rule: of each iso-value the component of the tooth's side that holds its seeds, holes filled, with a
+// tooth's area; its border's concavity x sqrt(harmonic mean gradient).
+double best_component(const Prepared &p, const Vec<double> &u, Index group, bool below, double from, double to) {
+  const Vec<Index> seeds = seeds_of(p, group);
+  Vec<std::uint8_t> foreign = fixed_for(p, group);
+  for (std::uint8_t &f : foreign) f = f == 2;
+  double best = -1, iso_best = std::numeric_limits<double>::quiet_NaN();
+  Vec<double> phi(u.size());
+  for (std::size_t k = 0; k < p.options.contours; ++k) {
+    const double iso = cut::iso_value(k, p.options.contours);
+    if (iso <= from || iso >= to) continue;
+    for (std::size_t v = 0; v < u.size(); ++v) phi[v] = below ? u[v] - iso : iso - u[v];
+    cut::Mask inside = cut::grow(*p.surface, phi, seeds);
+    cut::fill_holes(*p.surface, p.options.hole_area, foreign, inside);
+    const Vec<Index> faces = cut::faces_of(inside);
+    const double area = cut::area_of(*p.surface, faces);
+    if (area < p.options.area_min || area > p.options.area_max) continue;
+    // The contour's part around this component: where phi is kept negative on it alone.
+    Vec<double> alone(u.size(), 1);
+    for (const Index v : cut::vertices_of(*p.surface, faces)) alone[v] = phi[v];
+    const Vec<cut::Polyline> lines = cut::contour(*p.surface, alone, 0);
+    const cut::Score s = cut::score(*p.surface, u, p.concavity, lines);
+    const double value = s.concavity * std::sqrt(s.harmonic);
+    if (s.length > 0 && value > best) best = value, iso_best = iso;
+  }
+  return iso_best;
+}
+
+double mean_inside(const Prepared &p, const Vec<double> &own, const Vec<Index> &faces) {
+  double sum = 0, area = 0;
+  for (const Index f : faces) {
+    const auto &t = p.surface->triangle[f];
+    sum += p.surface->face_area[f] * (own[t[0]] + own[t[1]] + own[t[2]]) / 3;
+    area += p.surface->face_area[f];
+  }
+  return area > 0 ? sum / area : 0;
+}
+
+void add_cuts(const Prepared &p, const Fields &fields, Tooth &tooth, const cut::Mask &inside) {
+  bool open = false;
+  double length = 0, gradient = 0;
+  for (cut::Polyline &line : cut::smooth_line(*p.surface, p.cotangent, inside, p.options.smooth_radius, tooth.seeds)) {
+    const cut::Score s = cut::score(*p.surface, fields.u, p.concavity, {&line, 1});
+    open = open || !line.closed;
+    length += s.length;
+    gradient += s.length * s.gradient;
+    tooth.loops.push_back({std::move(line), tooth.iso, s.gradient, s.concavity});
+  }
+  if (length > 0) tooth.gradient = gradient / length;
+  if (open) tooth.warnings |= Warning::open_at_border;
+  if (tooth.loops.size() != 1) tooth.warnings |= Warning::several_loops;
+}
+
+}  // namespace
+
+Fields solve_fields(const Prepared &p, const Pick &pick) {
+  Vec<Eigen::VectorXd> at_nodes;
+  at_nodes.push_back(p.solver->solve_nodes(held_for(p, pick, pick.target), p.options.alpha));
+  if (pick.neighbour != mesh::none)
+    at_nodes.push_back(p.solver->solve_nodes(held_for(p, pick, pick.neighbour), p.options.alpha));
+  Vec<Vec<double>> extended = p.solver->extend(at_nodes);
+  Fields fields;
+  fields.target = std::move(extended[0]);
+  if (extended.size() > 1)
+    fields.neighbour = std::move(extended[1]);
+  else {
+    fields.neighbour.resize(fields.target.size());
+    for (std::size_t v = 0; v < fields.target.size(); ++v) fields.neighbour[v] = 0 * fields.target[v];  // NaN stays
+  }
+  fields.u.resize(fields.target.size());
+  for (std::size_t v = 0; v < fields.u.size(); ++v) fields.u[v] = (1 - fields.target[v] + fields.neighbour[v]) / 2;
+  return fields;
+}
+
+Selection select_cuts(const Prepared &p, const Pick &pick, const Fields &fields) {
+  Selection s;
+  s.v_med = cut::histogram(fields.u, p.options.histogram_bins).v_med;
+  s.target_iso = s.neighbour_iso = std::numeric_limits<double>::quiet_NaN();
+  switch (p.options.cut_rule) {
+    case CutRule::half:
+      s.target_iso = p.options.background == Background::all ? 0.25 : s.v_med / 2;
+      s.neighbour_iso = p.options.background == Background::all ? 0.75 : (1 + s.v_med) / 2;
+      break;
+    case CutRule::gradient: {
+      const Vec<cut::Score> scores = cut::score_all(*p.surface, fields.u, p.concavity, p.options.contours);
+      const cut::Chosen chosen = cut::largest_gradient(scores, s.v_med);
+      if (chosen.target != SIZE_MAX) s.target_iso = cut::iso_value(chosen.target, scores.size());
+      if (chosen.neighbour != SIZE_MAX) s.neighbour_iso = cut::iso_value(chosen.neighbour, scores.size());
+      break;
+    }
+    case CutRule::component:
+      s.target_iso = best_component(p, fields.u, pick.target, true, 0, s.v_med);
+      if (pick.neighbour != mesh::none)
+        s.neighbour_iso = best_component(p, fields.u, pick.neighbour, false, s.v_med, 1);
+      break;
+  }
+  if (pick.neighbour == mesh::none) s.neighbour_iso = std::numeric_limits<double>::quiet_NaN();
+  return s;
+}
+
+Tooth extract_tooth(const Prepared &p, const Fields &fields, const Selection &selection, Index group, bool is_target) {
+  const mesh::Surface &surface = *p.surface;
+  const Vec<double> &own = is_target ? fields.target : fields.neighbour;
+  Tooth tooth;
+  tooth.group = group;
+  tooth.iso = is_target ? selection.target_iso : selection.neighbour_iso;
+  if (std::isnan(tooth.iso))
+    throw Error(Fault::no_cut, "no contour of the field around group " + std::to_string(group) + " looks like a tooth");
+  tooth.seeds = seeds_of(p, group);
+
+  // phi: about -1 deep in the tooth and 1 on the background. With everything else held, the tooth's own field decides,
+  // half way: what it is does then not depend on the pair it was separated in.
+  Vec<double> phi(surface.vertices());
+  const bool alone = p.options.cut_rule == CutRule::half && p.options.background == Background::all;
+  for (std::size_t v = 0; v < phi.size(); ++v)
+    phi[v] = alone ? 1 - 2 * own[v] : 4 * (is_target ? fields.u[v] - tooth.iso : tooth.iso - fields.u[v]);
+
+  const Vec<std::uint8_t> fixed = fixed_for(p, group);
+  Vec<std::uint8_t> foreign(fixed.size());
+  for (std::size_t v = 0; v < fixed.size(); ++v) foreign[v] = fixed[v] == 2;
+  cut::Mask inside = cut::grow(surface, phi, tooth.seeds);
+  cut::fill_holes(surface, p.options.hole_area, foreign, inside);
+  if (p.options.refine_band > 0) {
+    cut::refine(surface, phi, p.concavity, fixed, {p.options.refine_band}, inside);
+    cut::keep_seeded(surface, tooth.seeds, inside);
+    cut::fill_holes(surface, p.options.hole_area, foreign, inside);
+  }
+  tooth.faces = cut::faces_of(inside);
+  if (tooth.faces.empty() || tooth.faces.size() == surface.faces())
+    throw Error(Fault::no_cut, "the field of group " + std::to_string(group) + " separates nothing");
+  tooth.vertices = cut::vertices_of(surface, tooth.faces);
+  tooth.area = cut::area_of(surface, tooth.faces);
+  tooth.confidence = std::clamp(mean_inside(p, own, tooth.faces), 0.0, 1.0);
+  if (tooth.area < p.options.area_min) tooth.warnings |= Warning::area_small;
+  if (tooth.area > p.options.area_max) tooth.warnings |= Warning::area_large;
+  if (p.live.size() < 2) tooth.warnings |= Warning::no_neighbour;
+  if (!p.rejected[group].empty()) tooth.warnings |= Warning::seed_rejected;
+  add_cuts(p, fields, tooth, inside);
+  return tooth;
+}
+
+}  // namespace ts::tooth

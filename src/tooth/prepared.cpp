@@ -1,0 +1,92 @@
+#include "tooth/prepared.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/concavity.h"
+
+namespace ts::tooth {
+namespace {
+
+// At most `most` points, spread out: the most convex one, then each time the one farthest from those taken.
+Vec<Index> spread(const features::Group &group, std::size_t most) {
+  Vec<Index> all;
+  for (Index i = 0; i < group.points.size(); ++i) all.push_back(i);
+  if (most == 0 || all.size() <= most) return all;
+  Vec<Index> taken;
+  Vec<double> clearance(all.size(), std::numeric_limits<double>::infinity());
+  Index next = 0;
+  for (const Index i : all)
+    if (group.points[i].convexity > group.points[next].convexity) next = i;
+  while (taken.size() < most) {
+    taken.push_back(next);
+    for (const Index i : all)
+      clearance[i] = std::min(clearance[i], (group.points[i].position - group.points[next].position).norm());
+    for (const Index i : all)
+      if (clearance[i] > clearance[next]) next = i;
+  }
+  std::sort(taken.begin(), taken.end());
+  return taken;
+}
+
+}  // namespace
+
+Prepared prepare(const mesh::Surface &surface, const features::Features &features, const Options &options,
+                 const Executor &executor, const Progress &progress) {
+  check(options);
+  Prepared p;
+  p.surface = &surface;
+  p.executor = &executor;
+  p.options = options;
+  p.groups = static_cast<Index>(features.groups.size());
+  p.rejected.resize(p.groups);
+
+  Stopwatch watch;
+  Vec<Index> place;  // of each site in its Group::points
+  p.sites.groups = p.groups;
+  for (Index g = 0; g < p.groups; ++g)
+    for (const Index i : spread(features.groups[g], options.points_per_group)) {
+      p.sites.point.push_back(features.groups[g].points[i].vertex);
+      p.sites.group.push_back(g);
+      place.push_back(i);
+    }
+  if (p.sites.point.empty()) throw Error(Fault::no_constraint, "no feature group has a point: nothing to separate");
+
+  progress.part(0, 0.01, "weights")(0);
+  p.concavity = geometry::concavity(surface, options.normal_radius, executor);
+  progress.part(0.2, 0.3, "weights")(0);
+  const Vec<double> weight = field::edge_weights(
+      surface, p.concavity, {options.weights, options.beta, options.gamma, options.theta, options.c0}, executor);
+  p.cotangent = geometry::cotangent_weights(surface, 0.01, executor);
+  p.click_cost.resize(surface.edge.size());
+  for (Index e = 0; e < surface.edge.size(); ++e) {
+    const double c = (p.concavity[surface.edge[e][0]] + p.concavity[surface.edge[e][1]]) / 2;
+    p.click_cost[e] = surface.edge_length(e) * (1 + options.click_concavity * c);
+  }
+  p.times.weights = watch.lap();
+
+  const bool several =
+      std::any_of(p.sites.group.begin(), p.sites.group.end(), [&](Index g) { return g != p.sites.group.front(); });
+  p.nodes = field::make_nodes(
+      surface, p.sites,
+      {options.seed_radius, options.background != Background::neighbour || !several, options.gingiva_distance});
+  p.solver = std::make_unique<field::Solver>(surface, weight, p.nodes, progress.part(0.3, 1, "factorisation"));
+  p.outlier = options.reject_outliers ? field::find_outliers(*p.solver, p.nodes) : Vec<std::uint8_t>(p.nodes.size(), 0);
+
+  p.group_at.assign(surface.vertices(), mesh::none);
+  for (Index i = 0; i < p.sites.point.size(); ++i) {
+    const Index node = p.nodes.of_vertex[p.sites.point[i]];
+    if (p.outlier[node])
+      p.rejected[p.sites.group[i]].push_back(place[i]);
+    else
+      p.group_at[p.sites.point[i]] = p.nodes.group[node];
+  }
+  for (Index n = 0; n < p.nodes.size(); ++n)
+    if (!p.outlier[n] && p.nodes.group[n] != field::gingiva_group &&
+        (p.live.empty() || p.live.back() != p.nodes.group[n]))
+      p.live.push_back(p.nodes.group[n]);
+  p.times.factorise = watch.lap();
+  return p;
+}
+
+}  // namespace ts::tooth

@@ -1,0 +1,48 @@
+// What all clicks on a scan share.
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "features/features.h"
+#include "field/outliers.h"
+#include "tooth/segmenter.h"
+
+namespace ts::tooth {
+
+struct Prepared {
+  const mesh::Surface *surface = nullptr;
+  const Executor *executor = nullptr;
+  Options options;
+  Index groups = 0;
+  Vec<Index> live;           // groups with a point in use, ascending: along the arch
+  field::Sites sites;        // the points in use
+  Vec<Index> group_at;       // a vertex: the group of the point there, or none; rejected points left out
+  Vec<Vec<Index>> rejected;  // a group: places in Group::points
+  Vec<double> concavity;     // a vertex, 1/mm
+  Vec<double> cotangent;     // an edge, for the smoothing of lines
+  Vec<double> click_cost;    // an edge
+  field::Nodes nodes;
+  Vec<std::uint8_t> outlier;  // a node
+  std::unique_ptr<const field::Solver> solver;
+  PrepareTimes times;
+};
+
+Prepared prepare(const mesh::Surface &surface, const features::Features &features, const Options &options,
+                 const Executor &executor, const Progress &progress);
+
+class Stopwatch {
+ public:
+  // Milliseconds since made or last asked.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+    return ms;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace ts::tooth

@@ -1,0 +1,113 @@
+#include "tooth/segmenter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tooth/extract.h"
+#include "tooth/propose.h"
+
+namespace ts::tooth {
+
+struct Segmenter::Impl {
+  Prepared prepared;
+};
+
+Segmenter::Segmenter(const mesh::Surface &surface, const features::Features &features, const Options &options,
+                     const Executor &executor, const Progress &progress)
+    : impl_(std::make_unique<const Impl>(Impl{prepare(surface, features, options, executor, progress)})) {}
+Segmenter::~Segmenter() = default;
+Segmenter::Segmenter(Segmenter &&) noexcept = default;
+Segmenter &Segmenter::operator=(Segmenter &&) noexcept = default;
+
+Click Segmenter::click(const mesh::SurfacePoint &at, const Progress &progress) const {
+  const Prepared &p = impl_->prepared;
+  if (at.distance > p.options.click_reach)
+    throw Error(Fault::click_off_surface, "the click is " + std::to_string(at.distance) + " mm from the surface");
+  Stopwatch watch;
+  Click click;
+  click.at = at;
+  const Pick picked = pick(p, at);
+  if (picked.target == mesh::none)
+    throw Error(Fault::click_on_gingiva, "the click is on a piece of the surface without feature points");
+  click.target = picked.target;
+  click.neighbour = picked.neighbour;
+  click.target_distance = picked.target_distance;
+  click.neighbour_distance = picked.neighbour_distance;
+  click.ms.pick = watch.lap();
+  progress.part(0, 0.4, "field")(0);
+
+  const Fields fields = solve_fields(p, picked);
+  click.ms.field = watch.lap();
+  progress.part(0.4, 0.5, "cut")(0);
+
+  const Selection selection = select_cuts(p, picked, fields);
+  click.v_med = selection.v_med;
+  click.target_iso = selection.target_iso;
+  click.neighbour_iso = selection.neighbour_iso;
+  click.ms.cut = watch.lap();
+  progress.part(0.5, 1, "label")(0);
+
+  click.teeth.push_back(extract_tooth(p, fields, selection, picked.target, true));
+  if (picked.neighbour != mesh::none) {
+    try {
+      click.teeth.push_back(extract_tooth(p, fields, selection, picked.neighbour, false));
+    } catch (const Error &e) {
+      if (e.fault() != Fault::no_cut) throw;  // the tooth clicked stands without its neighbour
+    }
+  }
+  click.ms.label = watch.lap();
+  click.ms.total = click.ms.pick + click.ms.field + click.ms.cut + click.ms.label;
+  progress(1);
+  return click;
+}
+
+ClickView Segmenter::view(const Click &click, const Progress &progress) const {
+  const Prepared &p = impl_->prepared;
+  progress(0);
+  Pick picked;
+  picked.target = click.target;
+  picked.neighbour = click.neighbour;
+  ClickView view;
+  view.u = solve_fields(p, picked).u;
+  view.histogram = cut::histogram(view.u, p.options.histogram_bins).bins;
+  view.contours.resize(p.options.contours);
+  p.executor->each(view.contours.size(), [&](std::size_t k) {
+    Contour &c = view.contours[k];
+    c.iso = cut::iso_value(k, view.contours.size());
+    c.lines = cut::contour(*p.surface, view.u, c.iso);
+    const cut::Score s = cut::score(*p.surface, view.u, p.concavity, c.lines);
+    c.gradient = s.gradient;
+    c.concavity = s.concavity;
+    c.length = s.length;
+  });
+  // The sampled contour nearest to the iso-value of each cut.
+  const auto mark = [&](double iso, unsigned which) {
+    if (std::isnan(iso)) return;
+    const auto nearest = std::min_element(
+        view.contours.begin(), view.contours.end(),
+        [&](const Contour &a, const Contour &b) { return std::abs(a.iso - iso) < std::abs(b.iso - iso); });
+    nearest->chosen = which;
+  };
+  mark(click.target_iso, 1);
+  mark(click.neighbour_iso, 2);
+  progress(1);
+  return view;
+}
+
+Vec<Vec3> Segmenter::propose_clicks() const {
+  return tooth::propose_clicks(impl_->prepared);
+}
+const Options &Segmenter::options() const {
+  return impl_->prepared.options;
+}
+const PrepareTimes &Segmenter::times() const {
+  return impl_->prepared.times;
+}
+Index Segmenter::groups() const {
+  return impl_->prepared.groups;
+}
+const Vec<Index> &Segmenter::rejected_points(Index group) const {
+  return impl_->prepared.rejected[group];
+}
+
+}  // namespace ts::tooth

@@ -1,0 +1,67 @@
+#include "tooth/session.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ts::tooth {
+
+Index Session::add(Click click) {
+  const Index number = clicks();
+  for (Tooth &tooth : click.teeth) {
+    const auto at = std::lower_bound(entries_.begin(), entries_.end(), tooth.group,
+                                     [](const Entry &e, Index g) { return e.group < g; });
+    const Index group = tooth.group;
+    if (at != entries_.end() && at->group == group)
+      *at = {group, number, std::move(tooth)};
+    else
+      entries_.insert(at, {group, number, std::move(tooth)});
+  }
+  click.teeth.clear();
+  clicks_.push_back(std::move(click));
+  return number;
+}
+
+const Click &Session::click(Index number) const {
+  if (number >= clicks_.size()) throw Error(Fault::not_found, "no click " + std::to_string(number));
+  return clicks_[number];
+}
+
+Vec<Index> Session::teeth() const {
+  Vec<Index> groups;
+  for (const Entry &e : entries_) groups.push_back(e.group);
+  return groups;
+}
+
+const Tooth *Session::tooth(Index group) const {
+  for (const Entry &e : entries_)
+    if (e.group == group) return &e.tooth;
+  return nullptr;
+}
+
+Index Session::click_of(Index group) const {
+  for (const Entry &e : entries_)
+    if (e.group == group) return e.click;
+  return mesh::none;
+}
+
+Vec<std::uint32_t> Session::labels() const {
+  const mesh::Surface &s = *surface_;
+  Vec<std::uint32_t> label(s.faces(), 0);
+  const auto distance = [&](const Entry &e, Index f) {
+    const auto &t = s.triangle[f];
+    const Vec3 centre = (s.position[t[0]] + s.position[t[1]] + s.position[t[2]]) / 3;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index v : e.tooth.seeds) least = std::min(least, (s.position[v] - centre).squaredNorm());
+    return least;
+  };
+  Vec<Index> owner(s.faces(), mesh::none);  // place in entries_
+  for (Index i = 0; i < entries_.size(); ++i)
+    for (const Index f : entries_[i].tooth.faces) {
+      if (owner[f] != mesh::none && !(distance(entries_[i], f) < distance(entries_[owner[f]], f))) continue;
+      owner[f] = i;
+      label[f] = entries_[i].group + 1;
+    }
+  return label;
+}
+
+}  // namespace ts::tooth
