@@ -33,7 +33,7 @@ FeatureScore score_features(const ScanFolder &scan, const features::Features &fo
   s.scans = 1;
   std::map<int, double> area;
   for (std::size_t f = 0; f < scan.surface.faces(); ++f)
-    if (scan.label[f]) area[scan.label[f]] += scan.surface.face_area[f];
+    if (scan.label[f] > 0) area[scan.label[f]] += scan.surface.face_area[f];
   std::erase_if(area, [](const auto &a) { return a.second < 5; });  // a few stray faces are no tooth
   s.teeth = static_cast<int>(area.size());
   s.groups = static_cast<int>(found.groups.size());

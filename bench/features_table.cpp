@@ -1,5 +1,5 @@
 // How many teeth of labelled scans own exactly one feature group of theirs alone.
-//   bench_features [--image DIR] FOLDER...
+//   bench_features [--image DIR] [--stress] FOLDER...
 // One line a scan and the total. --image writes DIR/<name>.ppm: the strip with cuts, points and labels (keep it
 // private).
 #include <chrono>
@@ -8,15 +8,56 @@
 
 #include "bench/features_image.h"
 #include "bench/features_score.h"
+#include "bench/scan_variants.h"
 #include "features/detect.h"
 
+namespace {
+
+using namespace ts;
+
+void stress(const Vec<bench::ScanFolder> &scans, const std::string &image) {
+  for (int v = 0; v < static_cast<int>(bench::Variant::count); ++v) {
+    const auto variant = static_cast<bench::Variant>(v);
+    bench::FeatureScore total;
+    for (const bench::ScanFolder &scan : scans) {
+      if (scan.label.empty()) continue;
+      const bench::ScanFolder changed = bench::make_variant(scan, variant, 7);
+      try {
+        const Executor executor(1);
+        const features::Features found = features::detect(changed.surface, {}, executor, {});
+        bench::FeatureScore s = bench::score_features(changed, found, false);
+        if (variant == bench::Variant::inside_out) s.sign = !s.sign && found.inside_out;
+        if (!image.empty())
+          bench::draw_strip(image + "/" + scan.name + "-" + std::to_string(v) + ".ppm", changed, found);
+        if (s.right < s.teeth || s.spurious || !s.sign) s.print(("  " + scan.name).c_str());
+        total.add(s);
+      } catch (const Error &e) {
+        std::printf("  %s, %s: %s\n", scan.name.c_str(), bench::name_of(variant), e.what());
+        total.add(bench::score_features(changed, {}, false));
+      }
+    }
+    total.print(bench::name_of(variant));
+  }
+}
+
+}  // namespace
+
 int main(int argc, char **argv) {
-  using namespace ts;
   std::string image;
+  bool stressed = false;
+  Vec<bench::ScanFolder> scans;
   bench::FeatureScore total;
   for (int a = 1; a < argc; ++a) {
     if (!std::strcmp(argv[a], "--image") && a + 1 < argc) {
       image = argv[++a];
+      continue;
+    }
+    if (!std::strcmp(argv[a], "--stress")) {
+      stressed = true;
+      continue;
+    }
+    if (stressed) {
+      scans.push_back(bench::read_scan_folder(argv[a]));
       continue;
     }
     const bench::ScanFolder scan = bench::read_scan_folder(argv[a]);
@@ -38,5 +79,8 @@ int main(int argc, char **argv) {
       std::printf("%s: %s\n", scan.name.c_str(), e.what());
     }
   }
-  total.print("total");
+  if (stressed)
+    stress(scans, image);
+  else
+    total.print("total");
 }
