@@ -20,7 +20,7 @@ Vec<std::uint8_t> find_outliers(const Solver &solver, const Nodes &nodes) {
       to[nodes.group[j] == gingiva_group ? nodes.groups : nodes.group[j]] += g;
       all += g;
     }
-    for (std::size_t k = 0; k < to.size(); ++k)
+    for (std::size_t k = 0; k < nodes.groups; ++k)
       if (k != nodes.group[i] && to[k] > 0.5 * all && to[k] > to[nodes.group[i]]) outlier[i] = 1;
   }
   // Should all points of a tooth be outliers, then it is no single point that is wrong: keep them.

@@ -5,8 +5,9 @@
 
 namespace ts::field {
 
-// 1 for the nodes to be left free: another tooth (or the gingiva) has more than half of the node's conductance to all
-// others, and more than its own tooth. The only node of a tooth is never left free.
+// 1 for the nodes to be left free: another tooth has more than half of the node's conductance to all
+// others, and more than its own tooth. (Not the gingiva: it borders on every cusp.) The only node of a tooth is never
+// left free.
 Vec<std::uint8_t> find_outliers(const Solver &solver, const Nodes &nodes);
 
 }  // namespace ts::field
