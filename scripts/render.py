@@ -11,7 +11,7 @@ import sys
 import numpy as np
 from PIL import Image, ImageDraw, ImageFilter, ImageFont
 
-GINGIVA = np.array([0.86, 0.58, 0.56])
+GINGIVA = np.array([0.93, 0.66, 0.63])
 PLAIN = np.array([0.90, 0.87, 0.80])
 # Muted hues that keep apart from each other and from the gingiva; neighbours along the arch differ most.
 PALETTE = np.array([
@@ -233,7 +233,7 @@ def occlusion(depth, scale):
         weight = blur(covered, r)
         mean = blur(np.where(covered, base, 0), r) / np.maximum(weight, 1e-6)
         dark += np.clip((mean - base) / reach, 0, 1) * (weight > 0.05)
-    return np.where(covered, np.exp(-0.55 * dark), 1)
+    return np.where(covered, np.exp(-0.45 * dark), 1)
 
 
 def vertex_normals(points, faces):
@@ -268,7 +268,7 @@ def shade(view, scene, lines_width):
     key = unit(0.85 * view.depth + 0.55 * view.upward - 0.45 * view.right)
     fill = unit(0.6 * view.depth - 0.2 * view.upward + 0.8 * view.right)
     n = np.where(back[:, None], -n, n)
-    diffuse = 0.30 + 0.58 * np.clip(n @ key, 0, None) + 0.22 * np.clip(n @ fill, 0, None)
+    diffuse = 0.36 + 0.58 * np.clip(n @ key, 0, None) + 0.22 * np.clip(n @ fill, 0, None)
     rim = 0.10 * (1 - np.clip(np.abs(facing), 0, 1)) ** 3
     gloss = np.clip(n @ unit(key + view.depth), 0, None) ** 45 * 0.22
     ao = occlusion(depth, view.scale)[seen]

@@ -74,7 +74,8 @@ static int read_missing(const char *text, uint32_t *list, uint32_t capacity, uin
 static void put32(FILE *f, const void *value) {
   uint32_t v;
   memcpy(&v, value, 4);
-  const unsigned char bytes[4] = {(unsigned char)v, (unsigned char)(v >> 8), (unsigned char)(v >> 16), (unsigned char)(v >> 24)};
+  const unsigned char bytes[4] = {(unsigned char)v, (unsigned char)(v >> 8), (unsigned char)(v >> 16),
+                                  (unsigned char)(v >> 24)};
   fwrite(bytes, 1, 4, f);
 }
 
@@ -191,7 +192,9 @@ static int write_all(const tsa_arch *arch, const char *out, const char *labels, 
     }
     if (!failed && labels) failed = write_labels(labels, &m);
     if (!failed && features) failed = write_features(features, arch, &m);
-    if (!failed) printf("%s: %u vertices, %u triangles, %u teeth\n", out, (unsigned)m.vertices, (unsigned)m.faces, (unsigned)m.teeth);
+    if (!failed)
+      printf("%s: %u vertices, %u triangles, %u teeth\n", out, (unsigned)m.vertices, (unsigned)m.faces,
+             (unsigned)m.teeth);
   }
   free(m.positions);
   free(m.triangles);
@@ -226,18 +229,23 @@ int main(int argc, char **argv) {
     } else {
       if (!value) return bad("unknown option, or no value after it", a);
       ++i;
-      if (strcmp(a, "--labels") == 0) labels = value;
-      else if (strcmp(a, "--features") == 0) features = value;
+      if (strcmp(a, "--labels") == 0)
+        labels = value;
+      else if (strcmp(a, "--features") == 0)
+        features = value;
       else if (strcmp(a, "--jaw") == 0) {
-        if (strcmp(value, "upper") != 0 && strcmp(value, "lower") != 0) return bad("--jaw: neither upper nor lower", value);
+        if (strcmp(value, "upper") != 0 && strcmp(value, "lower") != 0)
+          return bad("--jaw: neither upper nor lower", value);
         options.jaw = value[0] == 'u' ? TSA_JAW_UPPER : TSA_JAW_LOWER;
       } else if (strcmp(a, "--triangles") == 0) {
         if (!read_count(value, &n) || n > 4000000) return bad("--triangles: not a number from 5000 to 4000000", value);
         options.triangles = (uint32_t)n;
       } else if (strcmp(a, "--crowding") == 0) {
-        if (!read_crowding(value, &options.crowding)) return bad("--crowding: not none, mild, moderate, severe or a number", value);
+        if (!read_crowding(value, &options.crowding))
+          return bad("--crowding: not none, mild, moderate, severe or a number", value);
       } else if (strcmp(a, "--missing") == 0) {
-        if (!read_missing(value, missing, 14, &options.missing_count)) return bad("--missing: not a list of FDI numbers", value);
+        if (!read_missing(value, missing, 14, &options.missing_count))
+          return bad("--missing: not a list of FDI numbers", value);
       } else if (strcmp(a, "--noise") == 0) {
         if (!read_number(value, &options.noise)) return bad("--noise: not a number", value);
       } else if (strcmp(a, "--seed") == 0) {

@@ -7,8 +7,8 @@
  * that fill a buffer of the caller's (NULL and capacity 0: only the count). No output, no abort, no globals; the same
  * options give the same bytes. Different arches may be made and read from different threads at the same time.
  *
- * Axes: +z is the occlusal direction in either jaw, +y the front. Seen from +z with the front on top, an upper arch has the
- * patient's right (quadrant 1) on the left, a lower one (quadrant 4) on the right.
+ * Axes: +z is the occlusal direction in either jaw, +y the front. Seen from +z with the front on top, an upper arch has
+ * the patient's right (quadrant 1) on the left, a lower one (quadrant 4) on the right.
  */
 #ifndef TOOTHSEG_ARCH_H
 #define TOOTHSEG_ARCH_H
@@ -59,8 +59,8 @@ typedef struct tsa_options {
 /** A point that a dentist would name. */
 enum { TSA_CUSP = 0, TSA_INCISAL_CORNER = 1 };
 typedef struct tsa_feature {
-  uint32_t label; /**< of its tooth */
-  uint32_t kind;  /**< TSA_CUSP or TSA_INCISAL_CORNER */
+  uint32_t label;     /**< of its tooth */
+  uint32_t kind;      /**< TSA_CUSP or TSA_INCISAL_CORNER */
   double position[3]; /**< on the surface before noise */
 } tsa_feature;
 

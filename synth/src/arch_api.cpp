@@ -42,12 +42,15 @@ bool isOfJaw(uint32_t fdi, bool upper) {
 
 int read(const tsa_options &o, tsa::Settings &s) {
   if (o.struct_size != sizeof(tsa_options)) return fail(TSA_E_STRUCT_SIZE, "struct_size: not that of tsa_options");
-  if (o.jaw != TSA_JAW_UPPER && o.jaw != TSA_JAW_LOWER) return fail(TSA_E_INVALID_ARGUMENT, "jaw: neither upper nor lower");
-  if (o.triangles < 5000 || o.triangles > 4000000) return fail(TSA_E_INVALID_ARGUMENT, "triangles: not in 5000 to 4000000");
+  if (o.jaw != TSA_JAW_UPPER && o.jaw != TSA_JAW_LOWER)
+    return fail(TSA_E_INVALID_ARGUMENT, "jaw: neither upper nor lower");
+  if (o.triangles < 5000 || o.triangles > 4000000)
+    return fail(TSA_E_INVALID_ARGUMENT, "triangles: not in 5000 to 4000000");
   if (o.base > 1) return fail(TSA_E_INVALID_ARGUMENT, "base: neither 0 nor 1");
   if (!(o.crowding >= 0 && o.crowding <= 1)) return fail(TSA_E_INVALID_ARGUMENT, "crowding: not in 0 to 1");
   if (!(o.noise >= 0 && o.noise <= 1)) return fail(TSA_E_INVALID_ARGUMENT, "noise: not in 0 to 1");
-  if (o.noise_kind > TSA_NOISE_ISOTROPIC) return fail(TSA_E_INVALID_ARGUMENT, "noise_kind: neither normal nor isotropic");
+  if (o.noise_kind > TSA_NOISE_ISOTROPIC)
+    return fail(TSA_E_INVALID_ARGUMENT, "noise_kind: neither normal nor isotropic");
   if (o.missing_count > 0 && !o.missing) return fail(TSA_E_NULL, "missing: NULL");
   s.upper = o.jaw == TSA_JAW_UPPER;
   s.triangles = o.triangles;
@@ -113,9 +116,13 @@ int tsa_create(const tsa_options *options, tsa_arch **out) {
   });
 }
 
-void tsa_destroy(tsa_arch *arch) { delete arch; }
+void tsa_destroy(tsa_arch *arch) {
+  delete arch;
+}
 
-const char *tsa_last_error_message(void) { return lastMessage; }
+const char *tsa_last_error_message(void) {
+  return lastMessage;
+}
 
 int tsa_get_positions(const tsa_arch *arch, double *positions, uint32_t capacity, uint32_t *count) {
   return fillPositions(arch, positions, capacity, count);
@@ -126,9 +133,8 @@ int tsa_get_positions_f32(const tsa_arch *arch, float *positions, uint32_t capac
 }
 
 int tsa_get_triangles(const tsa_arch *arch, uint32_t *triangles, uint32_t capacity, uint32_t *count) {
-  return fill(arch, triangles, capacity, count, arch ? arch->arch.mesh.faces.size() : 0, 3, [&](size_t i, uint32_t *out) {
-    std::copy_n(arch->arch.mesh.faces[i].data(), 3, out);
-  });
+  return fill(arch, triangles, capacity, count, arch ? arch->arch.mesh.faces.size() : 0, 3,
+              [&](size_t i, uint32_t *out) { std::copy_n(arch->arch.mesh.faces[i].data(), 3, out); });
 }
 
 int tsa_get_labels(const tsa_arch *arch, uint32_t *labels, uint32_t capacity, uint32_t *count) {
@@ -142,10 +148,11 @@ int tsa_get_teeth(const tsa_arch *arch, uint32_t *fdi, uint32_t capacity, uint32
 }
 
 int tsa_get_features(const tsa_arch *arch, tsa_feature *features, uint32_t capacity, uint32_t *count) {
-  return fill(arch, features, capacity, count, arch ? arch->arch.features.size() : 0, 1, [&](size_t i, tsa_feature *out) {
-    const tsa::Feature &f = arch->arch.features[i];
-    *out = {f.label, f.kind, {f.position.x, f.position.y, f.position.z}};
-  });
+  return fill(arch, features, capacity, count, arch ? arch->arch.features.size() : 0, 1,
+              [&](size_t i, tsa_feature *out) {
+                const tsa::Feature &f = arch->arch.features[i];
+                *out = {f.label, f.kind, {f.position.x, f.position.y, f.position.z}};
+              });
 }
 
 }  // extern "C"

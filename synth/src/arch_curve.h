@@ -7,8 +7,8 @@
 
 namespace tsa {
 
-// The line of contacts in plan: y = -(a x^2 + b x^4), the quartic arch form. s is arc length from the midline, positive on
-// the side of +x; t the distance from the line, positive outwards.
+// The line of contacts in plan: y = -(a x^2 + b x^4), the quartic arch form. s is arc length from the midline, positive
+// on the side of +x; t the distance from the line, positive outwards.
 class ArchCurve {
  public:
   ArchCurve(double a, double b);

@@ -9,7 +9,7 @@ namespace {
 // Inclination of the crown to the occlusal plane, degrees, facial positive, after the trend of Andrews' crown torque
 // (Am J Orthod 1972); the long axes of incisors stand a little steeper out than their facial surfaces.
 constexpr double kTorqueUpper[7] = {14, 11, 2, -5, -6, -8, -8};
-constexpr double kTorqueLower[7] = {6, 5, -4, -11, -15, -20, -22};
+constexpr double kTorqueLower[7] = {6, 5, -2, -7, -10, -14, -16};
 // Height of the tips above the occlusal plane, mm: laterals short, canines long, the rest after the curve of Spee.
 constexpr double kTipUpper[7] = {0.1, -0.5, 0.4, 0.1, 0.0, -0.2, -0.9};
 constexpr double kTipLower[7] = {0.9, 0.9, 0.9, 0.1, -0.1, 0.2, 0.9};
@@ -17,18 +17,26 @@ constexpr double kTipLower[7] = {0.9, 0.9, 0.9, 0.1, -0.1, 0.2, 0.9};
 constexpr double kShiftUpper[7] = {0.5, -1.0, 1.1, -0.5, 0.3, 0, 0};
 constexpr double kShiftLower[7] = {-0.7, 1.0, 0.3, -0.6, 0.4, 0, 0};
 
-constexpr double kContactBlend = 0.6;  // bridges contacts as a scanner does: gaps up to 0.3 mm close
+// Contacts are bridged as scanners do it: gaps up to half the blend close, the narrow space under the contact sooner.
+constexpr double kContactBlend = 0.7, kEmbrasureBlend = 2.0;
 constexpr double kSulcusBlend = 0.2;
 constexpr double kRidgeLimit = 75, kRidgeStep = 0.5;
 
-double radians(double degrees) { return degrees * 0.017453292519943295; }
+double radians(double degrees) {
+  return degrees * 0.017453292519943295;
+}
 
-ArchCurve archForm(bool upper) { return upper ? ArchCurve(0.020, 5.6e-5) : ArchCurve(0.023, 6.6e-5); }
+ArchCurve archForm(bool upper) {
+  return upper ? ArchCurve(0.020, 5.6e-5) : ArchCurve(0.023, 6.6e-5);
+}
 
 }  // namespace
 
-Dentition::Dentition(const Settings &settings)
-    : upper_(settings.upper), base_(settings.base), noiseSeed_(static_cast<uint32_t>(mix(settings.seed ^ 0x5ca1ab1e))),
+Dentition::Dentition(const Settings &settings, double bridging)
+    : upper_(settings.upper),
+      base_(settings.base),
+      bridging_(bridging),
+      noiseSeed_(static_cast<uint32_t>(mix(settings.seed ^ 0x5ca1ab1e))),
       curve_(archForm(settings.upper)) {
   place(settings);
   layRidge();
@@ -51,18 +59,22 @@ void Dentition::place(const Settings &settings) {
       const ToothShape &shape = tooth.shape;
       // Lack of space is largest between the incisors and fades towards the premolars.
       const double lack = crowding * (i <= 2 ? 0.17 : (i <= 4 ? 0.07 : 0)) * shape.md;
-      const double width = 0.985 * shape.md - lack;
+      const double width = 0.975 * shape.md - lack;
       const double at = flip * (s + 0.5 * width) + midline;
       s += width;
 
       const double wobble = 0.25 + 0.35 * crowding;
       const double shift = (upper_ ? kShiftUpper : kShiftLower)[i] * crowding * (1.3 + 0.9 * random.uniform()) *
-                               (upper_ || side == 0 || i > 2 ? 1 : -0.8) + 0.5 * wobble * random.symmetric();
+                               (upper_ || side == 0 || i > 2 ? 1 : -0.8) +
+                           0.5 * wobble * random.symmetric();
       const double turnAmount = i <= 2 ? 26 : (i <= 4 ? 16 : 5);
-      const double turn = radians((2.5 + turnAmount * crowding * (random.uniform() < 0.5 ? -1 : 1)) * (0.5 + 0.5 * random.uniform()));
-      const double torque = radians((upper_ ? kTorqueUpper : kTorqueLower)[i] + (2 + 5 * crowding) * random.symmetric());
+      const double turn =
+          radians((2.5 + turnAmount * crowding * (random.uniform() < 0.5 ? -1 : 1)) * (0.5 + 0.5 * random.uniform()));
+      const double torque =
+          radians((upper_ ? kTorqueUpper : kTorqueLower)[i] + (2 + 5 * crowding) * random.symmetric());
       const double tip = radians(4 + (2 + 5 * crowding) * random.symmetric());
-      const double rise = (upper_ ? kTipUpper : kTipLower)[i] + (0.15 + (i <= 2 ? 0.7 : 0.2) * crowding) * random.symmetric();
+      const double rise =
+          (upper_ ? kTipUpper : kTipLower)[i] + (0.15 + (i <= 2 ? 0.7 : 0.2) * crowding) * random.symmetric();
 
       const Vec3 n = curve_.outward(at), z = {0, 0, 1};
       const Vec3 along = flip > 0 ? Vec3{n.y, -n.x, 0} : Vec3{-n.y, n.x, 0};
@@ -75,7 +87,7 @@ void Dentition::place(const Settings &settings) {
       Vec3 anchor = curve_.point(at) + shift * n;
       anchor.z = rise - (shape.height - shape.contactW);
       tooth.origin = anchor - (shape.contactV * tooth.facial + shape.contactW * tooth.occlusal);
-      end_[1 - side] = s + 4.5;
+      end_[1 - side] = s + 2.2;
       sides[side].push_back(std::move(tooth));
     }
   }
@@ -94,8 +106,8 @@ void Dentition::place(const Settings &settings) {
     const Vec3 neck = t.world(0, v, 0.2), apex = t.world(0, v, -7.8);
     const auto cn = curve_.locate(neck.x, neck.y), ca = curve_.locate(apex.x, apex.y);
     const bool gone = isMissing(t);
-    ridgePoints_.push_back({cn.s, cn.t - (gone ? 0.5 : 0), neck.z - (gone ? 1.2 : 0), 0.5 * t.shape.flCervix * (gone ? 0.7 : 0.88),
-                            (ca.t - cn.t) / 8, gone ? 1.0 : 0.0});
+    ridgePoints_.push_back({cn.s, cn.t - (gone ? 0.5 : 0), neck.z - (gone ? 1.2 : 0),
+                            0.5 * t.shape.flCervix * (gone ? 0.7 : 0.88), (ca.t - cn.t) / 8, gone ? 1.0 : 0.0});
     if (gone) continue;
     // A papilla needs two teeth: beside a gap, and behind the last molar, it is flat.
     for (int step = -1; step <= 1; step += 2) {
@@ -118,7 +130,9 @@ void Dentition::layRidge() {
     for (const RidgePoint &p : ridgePoints_) {
       // Beyond the ends the nearest molar goes on.
       const double d = (std::clamp(s, ridgePoints_.front().s < 0 ? ridgePoints_.front().s : ridgePoints_.back().s,
-                                   ridgePoints_.front().s < 0 ? ridgePoints_.back().s : ridgePoints_.front().s) - p.s) / kWidth;
+                                   ridgePoints_.front().s < 0 ? ridgePoints_.back().s : ridgePoints_.front().s) -
+                        p.s) /
+                       kWidth;
       const double w = std::exp(-0.5 * d * d);
       c.t += w * p.t, c.z += w * p.z, c.halfWidth += w * p.halfWidth, c.lean += w * p.lean, c.missing += w * p.missing;
       sum += w;
@@ -136,7 +150,8 @@ Dentition::Crest Dentition::crest(double s) const {
   const double f = x - static_cast<double>(i);
   const Crest &a = crests_[i], &b = crests_[i + 1];
   const auto mixed = [f](double p, double q) { return p + f * (q - p); };
-  return {mixed(a.t, b.t), mixed(a.z, b.z), mixed(a.halfWidth, b.halfWidth), mixed(a.lean, b.lean), mixed(a.missing, b.missing)};
+  return {mixed(a.t, b.t), mixed(a.z, b.z), mixed(a.halfWidth, b.halfWidth), mixed(a.lean, b.lean),
+          mixed(a.missing, b.missing)};
 }
 
 double Dentition::trimLevel(const ArchCurve::Coordinates &c, double crestZ) const {
@@ -166,7 +181,7 @@ double Dentition::ridge(Vec3 p, const ArchCurve::Coordinates &c) const {
   double f = std::fmax(t - facial, -t - lingual);
   f = smoothMax(f, -d, 2.6 + 0.6 * k.missing);
   const double end = end_[c.s > 0 ? 1 : 0] + 0.25 * body;
-  return smoothMax(f, std::abs(c.s) - end, 3.5);
+  return smoothMax(f, std::abs(c.s) - end, 5.0);
 }
 
 Dentition::Value Dentition::evaluate(Vec3 p) const {
@@ -180,7 +195,8 @@ Dentition::Value Dentition::evaluate(Vec3 p) const {
     const ToothSample s = teeth_[i].shape.sample(q.x, q.y, q.z);
     if (s.crown >= 1e3) continue;
     gum = smoothMin(gum, s.gum, 1.3);
-    crown = smoothMin(crown, s.crown, kContactBlend);
+    const double open = smoothstep(0.5, 0.85, q.z / teeth_[i].shape.height);
+    crown = smoothMin(crown, s.crown, bridging_ * (kEmbrasureBlend + (kContactBlend - kEmbrasureBlend) * open));
     if (s.crown < closest) closest = s.crown, label = static_cast<uint32_t>(i) + 1;
   }
   // Nothing living is smooth: stippling and unevenness of the gingiva, perikymata and wear of the enamel.

@@ -35,7 +35,8 @@ struct PlacedTooth {
 // Teeth and gingiva as one implicit solid: negative inside, about the distance in mm near the surface.
 class Dentition {
  public:
-  explicit Dentition(const Settings &settings);
+  // `bridging` scales the blends that close the contacts.
+  explicit Dentition(const Settings &settings, double bridging = 1);
 
   const std::vector<PlacedTooth> &teeth() const { return teeth_; }
   double field(Vec3 p) const { return evaluate(p).value; }
@@ -60,6 +61,7 @@ class Dentition {
   Value evaluate(Vec3 p) const;
 
   bool upper_, base_;
+  double bridging_;
   uint32_t noiseSeed_;
   ArchCurve curve_;
   std::vector<PlacedTooth> teeth_;

@@ -148,9 +148,12 @@ void removeSpecks(const TriMesh &mesh, std::vector<uint32_t> &labels, uint32_t l
       for (const uint32_t n : adjacent[f]) {
         if (n == kNone || labels[n] == labels[f]) continue;
         uint32_t &w = winner[component[f]], &v = votes[component[f]];
-        if (w == labels[n]) ++v;
-        else if (v == 0) w = labels[n], v = 1;
-        else --v;
+        if (w == labels[n])
+          ++v;
+        else if (v == 0)
+          w = labels[n], v = 1;
+        else
+          --v;
       }
     }
     if (!any) break;
@@ -158,6 +161,14 @@ void removeSpecks(const TriMesh &mesh, std::vector<uint32_t> &labels, uint32_t l
     for (size_t f = 0; f < labels.size(); ++f)
       if (component[f] != best[before[f]] && winner[component[f]] != kNone) labels[f] = winner[component[f]];
   }
+}
+
+int64_t eulerCharacteristic(const TriMesh &mesh) {
+  int64_t open = 0;
+  for (const auto &row : neighbours(mesh))
+    for (const uint32_t n : row) open += n == kNone;
+  const auto faces = static_cast<int64_t>(mesh.faces.size());
+  return static_cast<int64_t>(mesh.points.size()) - (3 * faces + open) / 2 + faces;
 }
 
 double meanEdge(const TriMesh &mesh) {

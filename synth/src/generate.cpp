@@ -2,6 +2,7 @@
 #include "generate.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "finish.h"
 #include "polygonise.h"
@@ -22,7 +23,8 @@ double area(const TriMesh &mesh, const std::vector<uint8_t> &counted) {
   double sum = 0;
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     const auto &t = mesh.faces[f];
-    if (counted[f]) sum += 0.5 * norm(cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]));
+    if (counted[f])
+      sum += 0.5 * norm(cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]));
   }
   return sum;
 }
@@ -82,11 +84,19 @@ bool findTip(const Dentition &dentition, const PlacedTooth &tooth, const Tip &ti
 }  // namespace
 
 Arch generate(const Settings &settings) {
-  const Dentition dentition(settings);
+  // A narrow tunnel under a contact has no place on a scan: bridge more until there is none.
+  constexpr double kBridging[] = {1, 1.3, 1.7, 2.2};
   Arch arch;
-  arch.mesh = surface(dentition, settings.triangles);
+  std::optional<Dentition> made;
+  for (const double bridging : kBridging) {
+    made.emplace(settings, bridging);
+    arch.mesh = surface(*made, settings.triangles);
+    if (eulerCharacteristic(arch.mesh) == (settings.base ? 2 : 1)) break;
+  }
+  const Dentition &dentition = *made;
   for (const auto &t : arch.mesh.faces)
-    arch.labels.push_back(dentition.label((1.0 / 3) * (arch.mesh.points[t[0]] + arch.mesh.points[t[1]] + arch.mesh.points[t[2]])));
+    arch.labels.push_back(
+        dentition.label((1.0 / 3) * (arch.mesh.points[t[0]] + arch.mesh.points[t[1]] + arch.mesh.points[t[2]])));
   removeSpecks(arch.mesh, arch.labels, static_cast<uint32_t>(dentition.teeth().size()) + 1);
   for (uint32_t i = 0; i < dentition.teeth().size(); ++i) {
     const PlacedTooth &tooth = dentition.teeth()[i];

@@ -29,7 +29,8 @@ class Grid {
 
   Vec3 position(int i, int j, int k) const { return origin_ + spacing_ * Vec3{double(i), double(j), double(k)}; }
   bool inside(int i, int j, int k) const {
-    return i >= 0 && j >= 0 && k >= 0 && i + 1 < blocks_[0] * kBlock && j + 1 < blocks_[1] * kBlock && k + 1 < blocks_[2] * kBlock;
+    return i >= 0 && j >= 0 && k >= 0 && i + 1 < blocks_[0] * kBlock && j + 1 < blocks_[1] * kBlock &&
+           k + 1 < blocks_[2] * kBlock;
   }
   float value(int i, int j, int k) {
     float &v = block(i, j, k).value[within(i, j, k)];
@@ -99,7 +100,8 @@ class EdgeMap {
 
 class Walk {
  public:
-  Walk(const Dentition &dentition, double spacing) : dentition_(dentition), spacing_(spacing), grid_(dentition, spacing) {}
+  Walk(const Dentition &dentition, double spacing)
+      : dentition_(dentition), spacing_(spacing), grid_(dentition, spacing) {}
 
   TriMesh run() {
     start();
@@ -150,20 +152,23 @@ class Walk {
   }
 
   uint32_t vertex(const Cell &c, const std::array<float, 8> &v, int p, int q) {
-    const int from = std::min(p, q), to = std::max(p, q);  // of two corners of a tetrahedron the lower is part of the higher
+    const int from = std::min(p, q),
+              to = std::max(p, q);  // of two corners of a tetrahedron the lower is part of the higher
     const int i = c[0] + (from & 1), j = c[1] + (from >> 1 & 1), k = c[2] + (from >> 2);
     uint32_t &id = edges_[grid_.corner(i, j, k) * 8 + static_cast<uint64_t>(from ^ to)];
     if (id != EdgeMap::kNew) return id;
     id = static_cast<uint32_t>(mesh_.points.size());
     const int d = from ^ to;
     const double t = std::clamp(double(v[from]) / (double(v[from]) - double(v[to])), 0.02, 0.98);
-    mesh_.points.push_back(grid_.position(i, j, k) + (t * spacing_) * Vec3{double(d & 1), double(d >> 1 & 1), double(d >> 2)});
+    mesh_.points.push_back(grid_.position(i, j, k) +
+                           (t * spacing_) * Vec3{double(d & 1), double(d >> 1 & 1), double(d >> 2)});
     return id;
   }
 
   // Kuhn's six tetrahedra around the diagonal 0-7; they match across cell faces.
   void triangulate(const Cell &c, const std::array<float, 8> &v) {
-    static constexpr int kTets[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
+    static constexpr int kTets[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
+                                        {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
     for (const auto &t : kTets) {
       int in[4], out[4], ni = 0, no = 0;
       for (int k = 0; k < 4; ++k) (v[t[k]] < 0 ? in[ni++] : out[no++]) = k;
@@ -200,6 +205,8 @@ class Walk {
 
 }  // namespace
 
-TriMesh polygonise(const Dentition &dentition, double spacing) { return Walk(dentition, spacing).run(); }
+TriMesh polygonise(const Dentition &dentition, double spacing) {
+  return Walk(dentition, spacing).run();
+}
 
 }  // namespace tsa

@@ -6,7 +6,9 @@
 
 namespace tsa {
 
-Remesher::Remesher(TriMesh mesh) : mesh_(std::move(mesh)) { link(); }
+Remesher::Remesher(TriMesh mesh) : mesh_(std::move(mesh)) {
+  link();
+}
 
 void Remesher::link() {
   const size_t n = mesh_.points.size(), h = mesh_.faces.size() * 3;
@@ -51,7 +53,8 @@ bool Remesher::survives(const std::vector<uint32_t> &outgoing, uint32_t without,
     const uint32_t b = to(e), c = from(prev(e));
     if (b == without || c == without) continue;
     const Vec3 &pb = mesh_.points[b], &pc = mesh_.points[c];
-    const Vec3 before = cross(pb - mesh_.points[vertex], pc - mesh_.points[vertex]), after = cross(pb - position, pc - position);
+    const Vec3 before = cross(pb - mesh_.points[vertex], pc - mesh_.points[vertex]),
+               after = cross(pb - position, pc - position);
     if (dot(before, after) < 0.4 * norm(before) * norm(after)) return false;
     const Vec3 d = pb - position;
     if (dot(d, d) > longest * longest) return false;
@@ -100,7 +103,8 @@ void Remesher::collapseTo(size_t target, const std::vector<uint8_t> &counted, do
   }
 }
 
-void Remesher::collapsePass(size_t target, const std::vector<uint8_t> &counted, double edge, double shortest, size_t &left) {
+void Remesher::collapsePass(size_t target, const std::vector<uint8_t> &counted, double edge, double shortest,
+                            size_t &left) {
   const uint32_t n = static_cast<uint32_t>(twin_.size());
   for (double limit = shortest; limit < 1.3 && left > target; limit *= limit < 0.75 ? 1.2 : 1.05) {
     for (uint32_t h = 0; h < n && left > target; ++h) {

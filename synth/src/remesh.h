@@ -7,14 +7,14 @@
 
 namespace tsa {
 
-// Directed edges on flat arrays: half-edge 3 f + i runs from corner i of face f to the next. Vertices on a border are never
-// moved or removed.
+// Directed edges on flat arrays: half-edge 3 f + i runs from corner i of face f to the next. Vertices on a border are
+// never moved or removed.
 class Remesher {
  public:
   explicit Remesher(TriMesh mesh);
 
-  // Collapses edges, the shortest first, until no more than `target` of the faces flagged in `counted` are left. Takes the
-  // grid's slivers away and leaves triangles as irregular as those of a decimated scan.
+  // Collapses edges, the shortest first, until no more than `target` of the faces flagged in `counted` are left. Takes
+  // the grid's slivers away and leaves triangles as irregular as those of a decimated scan.
   void collapseTo(size_t target, const std::vector<uint8_t> &counted, double edge);
   // Flips edges that are not Delaunay, except across creases.
   void flip();
@@ -36,7 +36,8 @@ class Remesher {
   // Outgoing half-edges of the vertex that h leaves; false if there are more than fit.
   bool ring(uint32_t h);
   bool mayCollapse(uint32_t h, Vec3 position, double longest);
-  bool survives(const std::vector<uint32_t> &outgoing, uint32_t without, uint32_t vertex, Vec3 position, double longest) const;
+  bool survives(const std::vector<uint32_t> &outgoing, uint32_t without, uint32_t vertex, Vec3 position,
+                double longest) const;
   void collapse(uint32_t h, Vec3 position);
   void collapsePass(size_t target, const std::vector<uint8_t> &counted, double edge, double shortest, size_t &left);
   bool shouldFlip(uint32_t h);

@@ -30,8 +30,8 @@ double elementHeight(const CapElement &e, double u, double v) {
   return e.h0 + t * (e.h1 - e.h0) - e.slope * (std::sqrt(x * x + y * y + kTipRadius * kTipRadius) - kTipRadius);
 }
 
-// Signed distance, to first order, to the curve g = 1 with g^4 = X^4 + 2 k X^2 Y^2 + Y^4: an ellipse for k = 1, nearly a
-// rectangle for k = 0.
+// Signed distance, to first order, to the curve g = 1 with g^4 = X^4 + 2 k X^2 Y^2 + Y^4: an ellipse for k = 1, nearly
+// a rectangle for k = 0.
 double outline(double x, double y, double a, double b, double k) {
   const double xx = x * x, yy = y * y;
   const double g2 = std::sqrt(xx * xx + 2 * k * xx * yy + yy * yy);
@@ -44,6 +44,10 @@ double outline(double x, double y, double a, double b, double k) {
 }  // namespace
 
 double ToothShape::top(double u, double v) const {
+  constexpr double kWarp = 0.38, kCell = 1.5;  // mm
+  const Vec3 at = {u / kCell, v / kCell, 0.5};
+  u += kWarp * smoothNoise(at, warpSeed);
+  v += kWarp * smoothNoise(at, warpSeed + 1);
   double first = -1e3, second = -1e3, firstGroove = 0, secondGroove = 0;
   for (const CapElement &e : cap) {
     const double h = elementHeight(e, u, v);
@@ -75,18 +79,20 @@ ToothSample ToothShape::sample(double u, double v, double w) const {
   for (const SideGroove &g : grooves) {
     if (g.side * y <= 0) continue;
     const double q = (u - g.u) / g.width;
-    if (q * q < 9) side += g.depth * std::exp(-q * q) * smoothstep(g.from, g.from + 0.45, tau) * smoothstep(0, 0.5, g.side * y);
+    if (q * q < 9)
+      side += g.depth * std::exp(-q * q) * smoothstep(g.from, g.from + 0.45, tau) * smoothstep(0, 0.5, g.side * y);
   }
 
   ToothSample s;
   s.crown = side;
-  if (tau > 0.3) {
+  if (tau > 0.3 && side < 1.5) {
     constexpr double kCapScale = 0.87;  // 1 / sqrt(1 + slope^2) at the usual cuspal incline
     s.crown = smoothMax(side, kCapScale * (w - top(u, v)), capBlend);
   }
   const double xc = std::fmin(std::abs(x), 1.25);
   const double mid = gumLingual + (gumFacial - gumLingual) * smoothstep(-0.6, 0.6, y);
-  const double edge = mid + ((u > 0 ? papillaDistal : papillaMesial) - mid) * std::fmin(xc * xc * (0.6 + 0.4 * xc), 1.15);
+  const double edge =
+      mid + ((u > 0 ? papillaDistal : papillaMesial) - mid) * std::fmin(xc * xc * (0.6 + 0.4 * xc), 1.15);
   const double below = edge - w;
   const double thickness = 0.3 + 0.75 * smoothstep(0, 4.5, below);
   s.gum = smoothMax(side - thickness, 0.9 * (w - edge), 0.55);

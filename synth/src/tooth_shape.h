@@ -10,8 +10,8 @@
 
 namespace tsa {
 
-// A tooth in its own frame: u distal, v facial (labial or buccal), w occlusal along the long axis, w = 0 at the cervical
-// line. Its field is negative inside and about the distance in mm near the surface.
+// A tooth in its own frame: u distal, v facial (labial or buccal), w occlusal along the long axis, w = 0 at the
+// cervical line. Its field is negative inside and about the distance in mm near the surface.
 
 // The chewing surface is the upper envelope of these: cones for cusps, ridges for cusp arms, incisal edges and marginal
 // ridges. Where two meet they leave a valley, as the lobes of a developing crown leave its grooves.
@@ -62,6 +62,7 @@ struct ToothShape {
   std::vector<SideGroove> grooves;
   std::vector<Tip> tips;
   double fissureDepth = 0, capBlend = 0.9;
+  uint32_t warpSeed = 0;  // makes grooves meander
   double fossaDepth = 0, fossaWidth = 1;
   double gumFacial = 0, gumLingual = 0, papillaMesial = 0, papillaDistal = 0;
   double contactV = 0, contactW = 0;
