@@ -16,12 +16,15 @@
 enum { EXIT_DONE = 0, EXIT_CLICK_FAILED = 1, EXIT_NOTHING_WRITTEN = 2 };
 
 int complain(const char *format, ...) {
+  char text[4096];
+  char *c;
   va_list arguments;
   va_start(arguments, format);
-  fputs("ts-segment: ", stderr);
-  vfprintf(stderr, format, arguments);
-  fputc('\n', stderr);
+  vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
+  for (c = text; *c != '\0'; ++c)
+    if (*c == '\n' || *c == '\r') *c = '?'; /* of a file's name: a complaint is one line */
+  fprintf(stderr, "ts-segment: %s\n", text);
   return 0;
 }
 

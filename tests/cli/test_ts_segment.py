@@ -111,6 +111,7 @@ class BadInput(ToolTest):
     def test_scan(self):
         self.refused(self.path("none.stl"), *self.outputs(), says=["none.stl", "TS_E_FILE_OPEN"])
         self.refused(self.folder, *self.outputs(), says="TS_E_FILE_OPEN")
+        self.refused("two\nlines.stl", says="lines.stl")
         self.refused(self.write("prose.stl", "no mesh at all"), *self.outputs(), says=["prose.stl", "TS_E_FILE_FORMAT"])
         with open(self.scan.stl, "rb") as f:
             whole = f.read()
