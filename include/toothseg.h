@@ -254,7 +254,6 @@ typedef struct ts_intake_report {
   uint32_t faces;                 /**< of the model */
   uint32_t components;            /**< connected pieces of the model */
   uint32_t boundary_loops;        /**< open rims of the model */
-  uint32_t inside_out;            /**< 1 if the faces look inwards (found at feature detection; else 0) */
   double diagonal;                /**< of the bounding box, mm */
   double area;                    /**< mm^2 */
   double mean_edge;               /**< mm */
@@ -339,6 +338,16 @@ TS_API TS_NODISCARD ts_status ts_features_create(const ts_model *model, ts_featu
 TS_API TS_NODISCARD ts_status ts_features_clone(const ts_features *features, ts_features **out);
 
 TS_API void ts_features_destroy(ts_features *features);
+
+typedef struct ts_features_info {
+  uint32_t struct_size;
+  uint32_t groups;
+  uint32_t points;
+  uint32_t inside_out; /**< 1 if the detection found that the faces look inwards; everything works all the same */
+} ts_features_info;
+
+/** Counts, and what the detection saw. `info->struct_size` in, the rest out. */
+TS_API TS_NODISCARD ts_status ts_features_get_info(const ts_features *features, ts_features_info *info);
 
 typedef struct ts_feature_point {
   uint32_t id;        /**< stays the same while the point exists */

@@ -33,7 +33,6 @@ static int write_intake(const run *r, json *j) {
   COUNT(components);
   COUNT(boundary_loops);
 #undef COUNT
-  json_bool(j, "inside_out", report.inside_out != 0);
   json_number(j, "diagonal", report.diagonal);
   json_number(j, "area", report.area);
   json_number(j, "mean_edge", report.mean_edge);
@@ -187,12 +186,17 @@ int write_report(const run *r, FILE *file) {
   json j = json_begin(file);
   double occlusal[3];
   uint32_t i;
+  ts_features_info features;
   ts_status status = ts_features_get_occlusal(r->features, occlusal);
+  memset(&features, 0, sizeof features);
+  features.struct_size = sizeof features;
+  if (status == TS_OK) status = ts_features_get_info(r->features, &features);
   if (status != TS_OK) return complain_status(r->options->scan, status);
   json_open_object(&j, NULL);
   write_how(r, &j);
   if (!write_intake(r, &j)) return 0;
   json_point(&j, "occlusal", occlusal);
+  json_bool(&j, "inside_out", features.inside_out != 0);
   json_open_object(&j, "counts");
   json_count(&j, "teeth", r->tooth_count);
   json_count(&j, "clicks", r->click_count);

@@ -104,6 +104,18 @@ void ts_features_destroy(ts_features *features) {
   delete features;
 }
 
+ts_status ts_features_get_info(const ts_features *features, ts_features_info *info) {
+  return guarded(__func__, [&] {
+    need(features, "features");
+    need(info, "info");
+    const FeatureSet &set = features->state->set;
+    write_struct(info,
+                 ts_features_info{0, static_cast<uint32_t>(set.groups().size()),
+                                  static_cast<uint32_t>(set.points().size()), set.inside_out()},
+                 info->struct_size, "ts_features_info");
+  });
+}
+
 ts_status ts_features_get_occlusal(const ts_features *features, double direction[3]) {
   return guarded(__func__, [&] {
     need(features, "features");

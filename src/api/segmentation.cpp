@@ -92,17 +92,9 @@ tooth::Options inner_options(const ts_segment_options &o) {
   return d;
 }
 
-mesh::Surface reversed(const mesh::Surface &s) {
-  Vec<mesh::Triangle> triangle(s.triangle);
-  for (mesh::Triangle &t : triangle) std::swap(t[1], t[2]);
-  return mesh::make_surface(s.position, std::move(triangle));
-}
-
 tooth::Click click_at(const Prepared &p, const double position[3], const Progress &progress) {
   need_finite(position, "position");
-  mesh::SurfacePoint at = p.features->model->nearest({position[0], position[1], position[2]});
-  if (p.reversed) std::swap(at.barycentric[1], at.barycentric[2]);
-  return p.segmenter->click(at, progress);
+  return p.segmenter->click(p.features->model->nearest({position[0], position[1], position[2]}), progress);
 }
 
 void put_clicks(ts_segmentation &handle, Vec<tooth::Click> clicks) {
@@ -134,8 +126,6 @@ ts_status ts_segmentation_create(const ts_features *features, const ts_segment_o
     const ts::Progress progress = progress_of(job);
     auto prepared = std::make_unique<Prepared>();
     prepared->features = features->state;
-    if (features->state->set.inside_out())
-      prepared->reversed = std::make_unique<const ts::mesh::Surface>(reversed(features->state->model->model.surface));
     prepared->segmenter = std::make_unique<const ts::tooth::Segmenter>(
         prepared->surface(), features->state->set.features(), o, *context.executor, progress);
     progress(1);

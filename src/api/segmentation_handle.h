@@ -8,10 +8,9 @@ namespace ts::api {
 // What a segmentation is made of; the session is replaced as a whole when clicks are added.
 struct Prepared {
   std::shared_ptr<const FeaturesState> features;
-  std::unique_ptr<const mesh::Surface> reversed;  // of an inside-out mesh: the same faces, wound the other way
   std::unique_ptr<const tooth::Segmenter> segmenter;
 
-  const mesh::Surface &surface() const { return reversed ? *reversed : features->model->model.surface; }
+  const mesh::Surface &surface() const { return features->model->model.surface; }
   const Context &context() const { return *features->model->context; }
 };
 

@@ -23,7 +23,6 @@ struct IntakeReport {
   Index degenerate_faces = 0, duplicate_faces = 0, flipped_faces = 0;
   Index non_manifold_edges = 0, non_manifold_vertices = 0, unorientable_edges = 0;
   Index vertices = 0, faces = 0, components = 0, boundary_loops = 0;
-  Index inside_out = 0;  // found with the features
   double diagonal = 0, area = 0, mean_edge = 0;
 };
 
