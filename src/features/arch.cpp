@@ -1,5 +1,6 @@
 #include "features/arch.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -16,10 +17,11 @@ constexpr double blur = 2.5;    // of the map, mm: about half a tooth
 constexpr double level = 0.04;  // |cv| of plain gingiva
 constexpr int degrees = 360;
 constexpr double least_radius = 6, radius_step = 0.5;
-constexpr int radii = 109;        // 6 to 60 mm
-constexpr double smoothing = 4;   // of the curve, mm
-constexpr double extension = 6;   // at each end, mm
-constexpr double present = 0.12;  // of the map's own maximum: where the curve ends
+constexpr int radii = 109;                           // 6 to 60 mm
+constexpr double smoothing = 4;                      // of the curve, mm
+constexpr double extension = 6;                      // at each end, mm
+constexpr double least_jaw = 16, greatest_jaw = 45;  // radii of arches, mm
+constexpr double present = 0.12;                     // of the map's own maximum: where the curve ends
 
 void blur_rows(Vec<double> &map, int width, int height, double sigma) {
   const int reach = static_cast<int>(std::ceil(3 * sigma));
@@ -104,9 +106,9 @@ struct Circle {
   double radius;
 };
 
-// Weighted algebraic circle fit. A row of teeth that is nearly straight gets a centre at most `farthest` away.
-Circle fit_circle(const Map &map) {
-  constexpr double nearest = 12, farthest = 40;
+// Weighted algebraic circle fit, and circles of a jaw's radius on either side of the row of teeth: a piece of an arch
+// says too little about its centre.
+Vec<Circle> circles(const Map &map) {
   double w = 0;
   Vec2 mean = Vec2::Zero();
   const auto each = [&](auto &&visit) {
@@ -126,17 +128,17 @@ Circle fit_circle(const Map &map) {
   });
   moment /= w;
   third /= w;
-  moment.diagonal().array() += 1;  // 1 mm of blur: keeps a single tooth's fit finite
-  Vec2 offset = moment.inverse() * third / 2;
-  double length = offset.norm();
-  if (length < 1e-6) offset = Vec2(1, 0), length = 1;
-  const double spread = moment.trace();
-  double radius = std::sqrt(offset.squaredNorm() + spread);
-  // A closed ring would have its centre inside; what spreads less than the smallest jaw is a piece, seen from afar.
-  if (radius < nearest)
-    radius = nearest, offset *= std::max(length, std::sqrt(std::max(0.0, radius * radius - spread))) / length;
-  if (length > farthest) offset *= farthest / length, radius = std::sqrt(farthest * farthest + spread);
-  return {mean + offset, radius};
+  Vec<Circle> result;
+  const Vec2 offset = (moment + Eigen::Matrix2d::Identity()).inverse() * third / 2;
+  const double radius = std::sqrt(offset.squaredNorm() + moment.trace());
+  if (radius > least_jaw && radius < greatest_jaw) result.push_back({mean + offset, radius});
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(moment);
+  for (const double r : {22.0, 35.0})
+    for (const double side : {1.0, -1.0}) {
+      const double away = std::sqrt(std::max(0.0, r * r - moment.trace()));
+      result.push_back({mean + side * away * axes.eigenvectors().col(0), r});
+    }
+  return result;
 }
 
 using Polar = Vec<std::array<double, radii>>;
@@ -253,20 +255,13 @@ void extend(Vec<Vec2> &line, double step) {
   line.swap(longer);
 }
 
-}  // namespace
-
-ArchCurve arch_curve(std::span<const geometry::Sample> samples, std::span<const double> convexity, bool inside_out,
-                     const Plan &plan) {
-  const Map map = roughness_map(samples, convexity, inside_out ? -1 : 1, plan);
-  const Circle circle = fit_circle(map);
+// The ridge as seen from around a circle's centre, unsmoothed. Empty if there is none.
+Vec<Vec2> trace(const Map &map, const Circle &circle, double step) {
   Vec2 centre = circle.centre;
   Polar polar = polar_map(map, centre);
   // From further back the two legs of the arch part better in angle.
-  for (int pass = 0; pass < 2; ++pass) {
-    const Vec2 towards = polar_point(Vec2::Zero(), open_side(polar), 1);
-    centre += (pass == 0 ? 0.3 * circle.radius : 0) * towards;
-    polar = polar_map(map, centre);
-  }
+  centre += 0.3 * circle.radius * polar_point(Vec2::Zero(), open_side(polar), 1);
+  polar = polar_map(map, centre);
   const int begin = open_side(polar);
   const Vec<int> path = ridge(polar, begin);
   int first = degrees, last = -1;
@@ -275,11 +270,49 @@ ArchCurve arch_curve(std::span<const geometry::Sample> samples, std::span<const 
   Vec<Vec2> line;
   for (int a = first; a <= last; ++a)
     line.push_back(polar_point(centre, begin + a, least_radius + radius_step * path[a]));
-  if (line.size() < 3) throw Error(Fault::no_teeth, "no row of teeth in plan view");
+  if (line.size() < 3) return {};
+  line = resample(line, step);
+  if (line.size() * step < 2) return {};
+  return line;
+}
 
+// Roughness within 5 mm of a curve, each cell counted once, less a price a mm: a curve that doubles back gains nothing.
+double worth(const Map &map, const Vec<Vec2> &line, double step) {
+  constexpr double band = 5, price = 1;
+  Vec<std::uint8_t> seen(map.value.size(), 0);
+  double sum = 0;
+  constexpr int reach = static_cast<int>(band / cell);
+  const std::size_t stride = static_cast<std::size_t>(cell / step);
+  for (std::size_t i = 0; i < line.size(); i += stride) {
+    const Vec2 q = (line[i] - map.low) / cell;
+    for (int dy = -reach; dy <= reach; ++dy)
+      for (int dx = -reach; dx <= reach; ++dx) {
+        const int x = static_cast<int>(q.x()) + dx, y = static_cast<int>(q.y()) + dy;
+        if (x < 0 || y < 0 || x >= map.width || y >= map.height || dx * dx + dy * dy > reach * reach) continue;
+        const std::size_t c = static_cast<std::size_t>(y) * map.width + x;
+        if (!seen[c]) sum += map.value[c];
+        seen[c] = 1;
+      }
+  }
+  return sum - price * static_cast<double>(line.size()) * step;
+}
+
+}  // namespace
+
+ArchCurve arch_curve(std::span<const geometry::Sample> samples, std::span<const double> convexity, bool inside_out,
+                     const Plan &plan) {
+  const Map map = roughness_map(samples, convexity, inside_out ? -1 : 1, plan);
   ArchCurve curve;
-  line = resample(line, curve.step);
-  if (line.size() < 8) throw Error(Fault::no_teeth, "no row of teeth in plan view");
+  Vec<Vec2> line;
+  double best = 0;
+  for (const Circle &circle : circles(map)) {
+    Vec<Vec2> candidate = trace(map, circle, curve.step);
+    if (candidate.empty()) continue;
+    constexpr double clearly = 1.05;  // the first is the fit; others have to be better
+    const double value = worth(map, candidate, curve.step);
+    if (line.empty() || value > best + (clearly - 1) * std::abs(best)) best = value, line = std::move(candidate);
+  }
+  if (line.empty()) throw Error(Fault::no_teeth, "no row of teeth in plan view");
   curve.point = smooth(line, curve.step);
   extend(curve.point, curve.step);
   curve.point = resample(curve.point, curve.step);
