@@ -119,7 +119,8 @@ features::Features features_from_labels(const ScanFolder &scan, const LabelledTe
     if (from == PointsFrom::cusp)
       for (const Index v : candidates) {
         const bool top = std::none_of(candidates.begin(), candidates.end(), [&](Index w) {
-          return (s.position[v] - s.position[w]).norm() < 1.0 && (height(w) > height(v) || (height(w) == height(v) && w < v));
+          return (s.position[v] - s.position[w]).norm() < 1.0 &&
+                 (height(w) > height(v) || (height(w) == height(v) && w < v));
         });
         if (top) tops.push_back(v);
       }
@@ -144,6 +145,19 @@ features::Features features_from_labels(const ScanFolder &scan, const LabelledTe
     features.groups.push_back(std::move(group));
   }
   return features;
+}
+
+Vec<Index> tooth_of_groups(const ScanFolder &scan, const LabelledTeeth &teeth, const features::Features &features) {
+  Vec<Index> tooth;
+  for (const features::Group &group : features.groups) {
+    std::map<Index, int> votes;
+    for (const features::Point &p : group.points) ++votes[teeth.of_face[scan.surface.vertex_faces[p.vertex].front()]];
+    Index best = mesh::none;
+    for (const auto &[t, n] : votes)
+      if (best == mesh::none || n > votes[best]) best = t;
+    tooth.push_back(best);
+  }
+  return tooth;
 }
 
 Index random_crown_face(const ScanFolder &scan, const LabelledTeeth &teeth, Index tooth, std::uint64_t &state) {

@@ -12,10 +12,10 @@ using mesh::Index;
 
 // The labelled teeth of a scan, along the arch.
 struct LabelledTeeth {
-  Vec<int> label;          // of each tooth
-  Vec<Index> of_face;      // a face: place of its tooth, or none
-  Vec<double> depth;       // a vertex: mm along edges to the border of its tooth; 0 outside teeth
-  Vec<double> deepest;     // a tooth
+  Vec<int> label;       // of each tooth
+  Vec<Index> of_face;   // a face: place of its tooth, or none
+  Vec<double> depth;    // a vertex: mm along edges to the border of its tooth; 0 outside teeth
+  Vec<double> deepest;  // a tooth
   mesh::Vec3 occlusal = mesh::Vec3::Zero();
 };
 
@@ -26,6 +26,9 @@ enum class PointsFrom { cusp, core };  // local tops of the crown's top 22 %; sp
 // `most` points a tooth, one group a tooth, in the order of the teeth.
 features::Features features_from_labels(const ScanFolder &scan, const LabelledTeeth &teeth, PointsFrom from,
                                         std::size_t most);
+
+// The tooth most points of each group are on, none if most are on none.
+Vec<Index> tooth_of_groups(const ScanFolder &scan, const LabelledTeeth &teeth, const features::Features &features);
 
 // A face of the tooth at random, further inside than 0.35 of its depth, by area.
 Index random_crown_face(const ScanFolder &scan, const LabelledTeeth &teeth, Index tooth, std::uint64_t &state);

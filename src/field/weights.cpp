@@ -22,7 +22,9 @@ Vec<double> each_edge(const mesh::Surface &surface, const Executor &executor, co
 
 Vec<double> paper_weights(const mesh::Surface &surface, const WeightOptions &o, const Executor &executor) {
   const Vec<double> gauss = geometry::gaussian_curvature(surface, executor);
-  const Vec<mesh::Vec3> normal = geometry::vertex_normals(surface, geometry::NormalWeight::angle, executor);
+  Vec<mesh::Vec3> normal = geometry::vertex_normals(surface, geometry::NormalWeight::angle, executor);
+  if (o.inside_out)
+    for (mesh::Vec3 &n : normal) n = -n;
   const Vec<std::uint8_t> concave = geometry::concave_by_edges(surface, normal, o.theta, executor);
   return each_edge(surface, executor, [&](mesh::Index e) {
     const auto [i, j] = surface.edge[e];

@@ -16,6 +16,7 @@ enum class Scheme {
 struct WeightOptions {
   Scheme scheme = Scheme::concavity;
   double beta = 1e-3, gamma = 1e-4, theta = 0.2, c0 = 0.07;
+  bool inside_out = false;  // the faces look inwards
 };
 
 // A weight an edge of the surface; every one is positive. `concavity` (a vertex, 1/mm) is read by Scheme::concavity

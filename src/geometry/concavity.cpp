@@ -43,14 +43,15 @@ double presmoothing(double gauge) {
   return gauge < 0.06 ? 0 : std::min(1.0, 2 * (gauge - 0.06));
 }
 
-Vec<double> concavity(const Surface &surface, double normal_radius, const Executor &executor) {
+Vec<double> concavity(const Surface &surface, double normal_radius, bool inside_out, const Executor &executor) {
   const Graph cotangent = make_graph(surface, cotangent_weights(surface, kLeastCotangent, executor));
   const double pre = presmoothing(noise_gauge(surface, executor));
   const Vec<Vec3> smoothed =
       pre > 0 ? smooth(surface, cotangent, pre, surface.position, executor) : Vec<Vec3>(surface.position);
   const Vec<Vec3> normal = smoothed_normals(surface, smoothed, cotangent, normal_radius, executor);
-  Vec<double> c = principal_curvatures(surface, smoothed, normal, executor).least;
-  for (double &k : c) k = std::max(0.0, -k);
+  Principal k = principal_curvatures(surface, smoothed, normal, executor);
+  Vec<double> c = std::move(inside_out ? k.greatest : k.least);
+  for (double &x : c) x = std::max(0.0, inside_out ? x : -x);
   return c;
 }
 

@@ -12,7 +12,8 @@ double noise_gauge(const Surface &surface, const Executor &executor);
 // mm over which the positions are smoothed before curvature is taken, for a reading of the gauge: 0 on clean scans.
 double presmoothing(double gauge);
 
-// c = max(0, -kappa_min) a vertex, 1/mm, of normals smoothed over `normal_radius`.
-Vec<double> concavity(const Surface &surface, double normal_radius, const Executor &executor);
+// c = max(0, -kappa_min) a vertex, 1/mm, of normals smoothed over `normal_radius`. `inside_out`: the faces look
+// inwards, so that it is the bulges that are valleys.
+Vec<double> concavity(const Surface &surface, double normal_radius, bool inside_out, const Executor &executor);
 
 }  // namespace ts::geometry

@@ -38,6 +38,7 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   p.surface = &surface;
   p.executor = &executor;
   p.options = options;
+  p.inside_out = features.inside_out;
   p.groups = static_cast<Index>(features.groups.size());
   p.rejected.resize(p.groups);
 
@@ -53,10 +54,11 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   if (p.sites.point.empty()) throw Error(Fault::no_constraint, "no feature group has a point: nothing to separate");
 
   progress.part(0, 0.01, "weights")(0);
-  p.concavity = geometry::concavity(surface, options.normal_radius, executor);
+  p.concavity = geometry::concavity(surface, options.normal_radius, features.inside_out, executor);
   progress.part(0.2, 0.3, "weights")(0);
   const Vec<double> weight = field::edge_weights(
-      surface, p.concavity, {options.weights, options.beta, options.gamma, options.theta, options.c0}, executor);
+      surface, p.concavity,
+      {options.weights, options.beta, options.gamma, options.theta, options.c0, features.inside_out}, executor);
   p.cotangent = geometry::cotangent_weights(surface, 0.01, executor);
   p.click_cost.resize(surface.edge.size());
   for (Index e = 0; e < surface.edge.size(); ++e) {

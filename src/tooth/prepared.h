@@ -14,6 +14,7 @@ struct Prepared {
   const mesh::Surface *surface = nullptr;
   const Executor *executor = nullptr;
   Options options;
+  bool inside_out = false;  // the faces look inwards
   Index groups = 0;
   Vec<Index> live;           // groups with a point in use, ascending: along the arch
   field::Sites sites;        // the points in use
