@@ -30,7 +30,7 @@ double area(const TriMesh &mesh, const std::vector<uint8_t> &counted) {
 }
 
 TriMesh surface(const Dentition &dentition, uint32_t triangles) {
-  constexpr double kSurplus = 2.2;  // triangles of the grid for one of the result: enough to get rid of its slivers
+  constexpr double kSurplus = 1.7;  // triangles of the grid for one of the result: enough to get rid of its slivers
   constexpr double kTrial = 0.8;
   const TriMesh trial = polygonise(dentition, kTrial);
   const auto inTrial = withinTrim(dentition, trial);

@@ -68,20 +68,23 @@ bool Remesher::survives(const std::vector<uint32_t> &outgoing, uint32_t without,
 bool Remesher::mayCollapse(uint32_t h, Vec3 position, double longest) {
   const uint32_t t = twin_[h], a = from(h), b = to(h), c = from(prev(h)), d = from(prev(t));
   if (border_[a] || border_[b] || border_[c] || border_[d]) return false;
-  if (!ring(prev(h)) || ring_.size() <= 3) return false;
-  if (!ring(prev(t)) || ring_.size() <= 3) return false;
+  if (valence_[c] <= 3 || valence_[d] <= 3 || valence_[a] + valence_[b] < 7 || valence_[a] + valence_[b] > 13)
+    return false;
   if (!ring(h)) return false;
   ringA_ = ring_;
   if (!ring(t)) return false;
   int common = 0;
   for (const uint32_t e : ringA_)
     for (const uint32_t g : ring_) common += to(e) == to(g);
-  if (common != 2 || ringA_.size() + ring_.size() < 7 || ringA_.size() + ring_.size() > 13) return false;
+  if (common != 2) return false;
   return survives(ringA_, b, a, position, longest) && survives(ring_, a, b, position, longest);
 }
 
 void Remesher::collapse(uint32_t h, Vec3 position) {
-  const uint32_t t = twin_[h], a = from(h);
+  const uint32_t t = twin_[h], a = from(h), c = from(prev(h)), d = from(prev(t));
+  ++clock_;
+  for (const uint32_t e : ringA_) changed_[to(e)] = clock_;
+  for (const uint32_t e : ring_) changed_[to(e)] = clock_;
   for (const uint32_t e : ring_) corner(e) = a;  // ring_ is that of the other end
   for (const uint32_t e : {h, t}) {
     const uint32_t p = twin_[next(e)], q = twin_[prev(e)];
@@ -90,6 +93,20 @@ void Remesher::collapse(uint32_t h, Vec3 position) {
     mesh_.faces[e / 3] = {kNone, kNone, kNone};
   }
   mesh_.points[a] = position;
+  valence_[a] = static_cast<uint8_t>(ringA_.size() + ring_.size() - 4);
+  --valence_[c];
+  --valence_[d];
+}
+
+void Remesher::countValences() {
+  std::vector<uint32_t> count(mesh_.points.size(), 0);
+  for (uint32_t f = 0; f < mesh_.faces.size(); ++f)
+    if (!dead(f))
+      for (const uint32_t v : mesh_.faces[f]) ++count[v];
+  valence_.resize(count.size());
+  for (size_t v = 0; v < count.size(); ++v) valence_[v] = static_cast<uint8_t>(std::min(count[v], 255u));
+  changed_.assign(count.size(), clock_);
+  refused_.assign(twin_.size(), 0);
 }
 
 void Remesher::collapseTo(size_t target, const std::vector<uint8_t> &counted, double edge) {
@@ -97,6 +114,7 @@ void Remesher::collapseTo(size_t target, const std::vector<uint8_t> &counted, do
   for (const uint8_t c : counted) left += c;
   // Where the grid's pattern blocks further collapses, flips and a little smoothing unlock it.
   for (int round = 0; round < 6 && left > target; ++round) {
+    countValences();
     collapsePass(target, counted, edge, round == 0 ? 0.3 : 0.7, left);
     flip();
     if (left > target) relax(0.3);
@@ -113,7 +131,11 @@ void Remesher::collapsePass(size_t target, const std::vector<uint8_t> &counted, 
       if (dot(d, d) > limit * limit * edge * edge) continue;
       const Vec3 middle = 0.5 * (a + b);
       const uint32_t f = h / 3, g = twin_[h] / 3;
-      if (!mayCollapse(h, middle, 1.7 * edge)) continue;
+      if (refused_[h] >= std::max(changed_[from(h)], changed_[to(h)])) continue;
+      if (!mayCollapse(h, middle, 1.7 * edge)) {
+        refused_[h] = clock_;
+        continue;
+      }
       collapse(h, middle);
       left -= counted[f] + counted[g];
     }

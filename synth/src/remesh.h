@@ -33,6 +33,7 @@ class Remesher {
   bool dead(uint32_t f) const { return mesh_.faces[f][0] == kNone; }
   Vec3 normal(uint32_t f) const;
   void link();
+  void countValences();
   // Outgoing half-edges of the vertex that h leaves; false if there are more than fit.
   bool ring(uint32_t h);
   bool mayCollapse(uint32_t h, Vec3 position, double longest);
@@ -45,6 +46,10 @@ class Remesher {
   TriMesh mesh_;
   std::vector<uint32_t> twin_;
   std::vector<uint8_t> border_;
+  std::vector<uint8_t> valence_;
+  // When something last changed around a vertex, and when an edge was last refused: no edge is tried twice in vain.
+  std::vector<uint32_t> changed_, refused_;
+  uint32_t clock_ = 1;
   std::vector<uint32_t> ring_, ringA_;
 };
 
