@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/gradient.h"
 
@@ -66,45 +67,50 @@ struct Sums {
 }  // namespace
 
 Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double iso) {
+  Vec<Index> all(surface.faces());
+  std::iota(all.begin(), all.end(), 0);
+  return contour(surface, u, iso, all);
+}
+
+Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double iso, std::span<const Index> among) {
+  constexpr std::size_t kNowhere = SIZE_MAX;
   Vec<Index> crossed;
-  for (Index f = 0; f < surface.faces(); ++f)
-    if (crossing(surface, u, iso, f).leaves != mesh::none) crossed.push_back(f);
-  Vec<std::uint8_t> done(crossed.size(), 0);
-  const auto place = [&](Index f) {
-    const auto at = std::lower_bound(crossed.begin(), crossed.end(), f);
-    return at != crossed.end() && *at == f ? static_cast<std::size_t>(at - crossed.begin()) : crossed.size();
+  Vec<Crossing> way;
+  for (const Index f : among) {
+    const Crossing c = crossing(surface, u, iso, f);
+    if (c.leaves == mesh::none) continue;
+    crossed.push_back(f);
+    way.push_back(c);
+  }
+  // The place in `crossed` of the face across a half-edge.
+  const auto across = [&](Index halfedge) {
+    const Index t = surface.twin[halfedge];
+    if (t == mesh::none) return kNowhere;
+    const auto at = std::lower_bound(crossed.begin(), crossed.end(), mesh::face_of(t));
+    return at != crossed.end() && *at == mesh::face_of(t) ? static_cast<std::size_t>(at - crossed.begin()) : kNowhere;
   };
+  Vec<std::uint8_t> done(crossed.size(), 0);
   Vec<Polyline> lines;
-  const auto trace = [&](Index first) {
+  const auto trace = [&](std::size_t i) {
     Polyline line;
-    for (Index f = first;;) {
-      const std::size_t i = place(f);
-      if (i == crossed.size()) break;  // into faces with a NaN: as open as a border
-      if (done[i]) {
-        line.closed = true;
-        break;
-      }
+    for (;; i = across(way[i].returns)) {
       done[i] = 1;
-      const Crossing c = crossing(surface, u, iso, f);
-      line.points.push_back(point_on(surface, u, iso, c.leaves));
-      line.faces.push_back(f);
-      const Index across = surface.twin[c.returns];
-      if (across == mesh::none || place(mesh::face_of(across)) == crossed.size()) {
-        line.points.push_back(point_on(surface, u, iso, c.returns));
-        break;
-      }
-      f = mesh::face_of(across);
+      line.points.push_back(point_on(surface, u, iso, way[i].leaves));
+      line.faces.push_back(crossed[i]);
+      const std::size_t next = across(way[i].returns);
+      if (next == kNowhere) line.points.push_back(point_on(surface, u, iso, way[i].returns));
+      if (next != kNowhere && !done[next]) continue;
+      line.closed = next != kNowhere;
+      break;
     }
-    for (std::size_t i = 0; i < line.faces.size(); ++i)
-      line.length += (line.points[(i + 1) % line.points.size()].position - line.points[i].position).norm();
+    for (std::size_t k = 0; k < line.faces.size(); ++k)
+      line.length += (line.points[(k + 1) % line.points.size()].position - line.points[k].position).norm();
     lines.push_back(std::move(line));
   };
-  for (std::size_t i = 0; i < crossed.size(); ++i) {  // open lines, from their beginnings
-    const Index across = surface.twin[crossing(surface, u, iso, crossed[i]).leaves];
-    if (across == mesh::none || place(mesh::face_of(across)) == crossed.size()) trace(crossed[i]);
-  }
+  for (std::size_t i = 0; i < crossed.size(); ++i)  // open lines, from their beginnings
+    if (across(way[i].leaves) == kNowhere) trace(i);
   for (std::size_t i = 0; i < crossed.size(); ++i)
-    if (!done[i]) trace(crossed[i]);
+    if (!done[i]) trace(i);
   return lines;
 }
 

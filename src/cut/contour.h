@@ -10,6 +10,8 @@ namespace ts::cut {
 // The contour u = iso as polylines, with u < iso on their left (seen from outside). Faces with a NaN are not crossed.
 // A vertex with u = iso counts as above it, so that lines never meet.
 Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double iso);
+// The same within some faces (ascending): lines that leave them are open there.
+Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double iso, std::span<const Index> among);
 
 // Means along a line or a whole contour.
 struct Score {

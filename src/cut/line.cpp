@@ -9,24 +9,20 @@
 namespace ts::cut {
 namespace {
 
-// Area-weighted mean of -1 (inside) and 1 over the faces of each vertex.
-Vec<double> sides(const Surface &s, const Mask &inside) {
+// -1 inside and 1 outside; at the border the area-weighted mean over the faces of the vertex. `mixed`: where it is
+// between.
+Vec<double> sides(const Surface &s, const Mask &inside, std::span<const Index> faces, Vec<geometry::PathStart> &mixed) {
   Vec<double> psi(s.vertices(), 1);
-  for (Index v = 0; v < s.vertices(); ++v) {
-    double area = 0, sum = 0;
-    for (const Index f : s.vertex_faces[v]) {
-      area += s.face_area[f];
-      sum += inside[f] ? -s.face_area[f] : s.face_area[f];
-    }
-    if (area > 0) psi[v] = sum / area;
+  for (const Index v : vertices_of(s, faces)) {
+    double in = 0, out = 0;
+    for (const Index f : s.vertex_faces[v]) (inside[f] ? in : out) += s.face_area[f];
+    psi[v] = out > 0 ? (out - in) / (out + in) : -1;
+    if (out > 0) mixed.push_back({v});
   }
   return psi;
 }
 
-Vec<Index> near_border(const Surface &s, const Vec<double> &psi, double width) {
-  Vec<geometry::PathStart> mixed;
-  for (Index v = 0; v < s.vertices(); ++v)
-    if (std::abs(psi[v]) < 1) mixed.push_back({v});
+Vec<Index> near_border(const Surface &s, const Vec<geometry::PathStart> &mixed, double width) {
   Vec<Index> near;
   geometry::PathFinder(s).search(
       mixed, [&](Index e) { return s.edge_length(e); },
@@ -90,42 +86,54 @@ void smooth_near(const Surface &s, std::span<const double> cotangent, double rad
   for (std::size_t i = 0; i < n; ++i) psi[near[i]] = x[i];
 }
 
-// Vertices of `side` that `start` reaches over edges of that side.
-Vec<std::uint8_t> reached(const Surface &s, const Vec<double> &psi, bool negative, Vec<Index> stack) {
-  Vec<std::uint8_t> seen(s.vertices(), 0);
-  std::erase_if(stack, [&](Index v) { return (psi[v] < 0) != negative; });
-  for (const Index v : stack) seen[v] = 1;
+// Gives the vertices of `near` on one side that cannot be reached on that side from the vertices that `start` names, or
+// from beyond `near`, to the other side.
+void drop_unreached(const Surface &s, const Vec<Index> &near, bool negative, std::span<const Index> start,
+                    Vec<double> &psi) {
+  constexpr double kFlip = 1e-3;
+  constexpr std::uint8_t kBeyond = 0, kNear = 1, kSeen = 2;
+  Vec<std::uint8_t> state(s.vertices(), kBeyond);
+  for (const Index v : near) state[v] = kNear;
+  const auto on_side = [&](Index v) { return (psi[v] < 0) == negative; };
+  Vec<Index> stack;
+  const auto enter = [&](Index v) {
+    if (state[v] != kNear || !on_side(v)) return;
+    state[v] = kSeen;
+    stack.push_back(v);
+  };
+  for (const Index v : start) enter(v);
+  for (const Index v : near)
+    for (const Index e : s.vertex_edges[v])
+      if (const Index w = s.other_end(e, v); state[w] == kBeyond && on_side(w)) enter(v);
   while (!stack.empty()) {
     const Index v = stack.back();
     stack.pop_back();
-    for (const Index e : s.vertex_edges[v]) {
-      const Index w = s.other_end(e, v);
-      if (seen[w] || (psi[w] < 0) != negative) continue;
-      seen[w] = 1;
-      stack.push_back(w);
-    }
+    for (const Index e : s.vertex_edges[v]) enter(s.other_end(e, v));
   }
-  return seen;
+  for (const Index v : near)
+    if (state[v] == kNear && on_side(v)) psi[v] = negative ? kFlip : -kFlip;
 }
 
 }  // namespace
 
 Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> cotangent, const Mask &inside, double radius,
                           std::span<const Index> seeds) {
-  constexpr double kFlip = 1e-3;  // turned over, just
-  Vec<double> psi = sides(surface, inside);
-  Vec<Index> far;  // vertices wholly outside
-  for (Index v = 0; v < surface.vertices(); ++v)
-    if (psi[v] == 1) far.push_back(v);
-  const Vec<Index> near = near_border(surface, psi, std::max(6 * radius, 2 * surface.mean_edge));
+  const Vec<Index> faces = faces_of(inside);
+  Vec<geometry::PathStart> mixed;
+  Vec<double> psi = sides(surface, inside, faces, mixed);
+  // Two rings at least, so that the line cannot leave what is looked at.
+  const Vec<Index> near = near_border(surface, mixed, std::max(6 * radius, 2 * surface.mean_edge));
+  Vec<Index> around, outer;
+  for (const Index v : near) {
+    around.insert(around.end(), surface.vertex_faces[v].begin(), surface.vertex_faces[v].end());
+    if (psi[v] == 1) outer.push_back(v);
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
   if (radius > 0) smooth_near(surface, cotangent, radius, near, psi);
-  const Vec<std::uint8_t> ours = reached(surface, psi, true, Vec<Index>(seeds.begin(), seeds.end()));
-  for (Index v = 0; v < surface.vertices(); ++v)
-    if (psi[v] < 0 && !ours[v]) psi[v] = kFlip;
-  const Vec<std::uint8_t> theirs = reached(surface, psi, false, far);
-  for (const Index v : near)
-    if (psi[v] >= 0 && !theirs[v]) psi[v] = -kFlip;
-  Vec<Polyline> lines = contour(surface, psi, 0);
+  drop_unreached(surface, near, true, seeds, psi);
+  drop_unreached(surface, near, false, outer, psi);
+  Vec<Polyline> lines = contour(surface, psi, 0, around);
   std::stable_sort(lines.begin(), lines.end(),
                    [](const Polyline &a, const Polyline &b) { return a.length > b.length; });
   return lines;

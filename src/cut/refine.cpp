@@ -21,12 +21,12 @@ double price(const Surface &s, std::span<const double> concavity, Index e) {
 // Faces all of whose vertices are within `width` of the border of the region, ascending.
 Vec<Index> band_of(const Surface &s, const Mask &inside, double width) {
   Vec<geometry::PathStart> border;
-  for (Index h = 0; h < s.twin.size(); ++h) {
-    const Index t = s.twin[h];
-    if (t == mesh::none || !inside[mesh::face_of(h)] || inside[mesh::face_of(t)]) continue;
-    border.push_back({s.from(h)});
-    border.push_back({s.to(h)});
-  }
+  for (const Index f : faces_of(inside))
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      if (s.twin[h] == mesh::none || inside[mesh::face_of(s.twin[h])]) continue;
+      border.push_back({s.from(h)});
+      border.push_back({s.to(h)});
+    }
   Vec<Index> faces;
   Vec<std::uint8_t> near(s.vertices(), 0);
   geometry::PathFinder(s).search(

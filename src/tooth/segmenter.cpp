@@ -12,6 +12,23 @@ struct Segmenter::Impl {
   Prepared prepared;
 };
 
+namespace {
+
+// A click outside the tooth it was taken for lies on gingiva when this much of the field there is the gingiva's. Of 594
+// clicks on labelled crowns the largest share was 0.68; of 227 on gingiva nine in ten have more than 0.79.
+constexpr double kGingiva = 0.8;
+
+double gingiva_share(const Prepared &p, const mesh::SurfacePoint &at) {
+  if (p.nodes.gingiva == mesh::none) return 0;
+  double share = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    share += at.barycentric[static_cast<Eigen::Index>(k)] *
+             p.solver->measure(p.surface->triangle[at.face][k])[p.nodes.gingiva];
+  return share;
+}
+
+}  // namespace
+
 Segmenter::Segmenter(const mesh::Surface &surface, const features::Features &features, const Options &options,
                      const Executor &executor, const Progress &progress)
     : impl_(std::make_unique<const Impl>(Impl{prepare(surface, features, options, executor, progress)})) {}
@@ -48,6 +65,11 @@ Click Segmenter::click(const mesh::SurfacePoint &at, const Progress &progress) c
   progress.part(0.5, 1, "label")(0);
 
   click.teeth.push_back(extract_tooth(p, fields, selection, picked.target, true));
+  const Vec<Index> &own = click.teeth[0].faces;
+  if (!std::binary_search(own.begin(), own.end(), at.face) && gingiva_share(p, at) > kGingiva)
+    throw Error(Fault::click_on_gingiva, "the click lies on gingiva or base, " +
+                                             std::to_string(picked.target_distance) +
+                                             " from the nearest feature point");
   if (picked.neighbour != mesh::none) {
     try {
       click.teeth.push_back(extract_tooth(p, fields, selection, picked.neighbour, false));
