@@ -5,11 +5,10 @@
 Needs only python3-numpy, python3-pil and fonts-dejavu-core; no display, no OpenGL.
 """
 import argparse
-import struct
 import sys
 
 import numpy as np
-from PIL import Image, ImageDraw, ImageFilter, ImageFont
+from PIL import Image, ImageDraw, ImageFont
 
 GINGIVA = np.array([0.93, 0.66, 0.63])
 PLAIN = np.array([0.90, 0.87, 0.80])
@@ -232,7 +231,9 @@ def occlusion(depth, scale):
         r = max(1, radius * scale / 1.7)
         weight = blur(covered, r)
         mean = blur(np.where(covered, base, 0), r) / np.maximum(weight, 1e-6)
-        dark += np.clip((mean - base) / reach, 0, 1) * (weight > 0.05)
+        drop = (mean - base) / reach
+        # A step many times deeper than the reach is another part of the arch in front, not a groove.
+        dark += np.clip(drop, 0, 1) * np.clip(2 - drop / 3, 0, 1) * (weight > 0.05)
     return np.where(covered, np.exp(-0.45 * dark), 1)
 
 
@@ -271,7 +272,8 @@ def shade(view, scene, lines_width):
     diffuse = 0.36 + 0.58 * np.clip(n @ key, 0, None) + 0.22 * np.clip(n @ fill, 0, None)
     rim = 0.10 * (1 - np.clip(np.abs(facing), 0, 1)) ** 3
     gloss = np.clip(n @ unit(key + view.depth), 0, None) ** 45 * 0.22
-    ao = occlusion(depth, view.scale)[seen]
+    coarse = occlusion(depth[::2, ::2], view.scale / 2)
+    ao = np.repeat(np.repeat(coarse, 2, 0), 2, 1)[:view.height, :view.width][seen]
     linear = np.clip(colour, 0, 1) ** 2.0 * (diffuse * ao + rim)[:, None] + (gloss * ao * ~back)[:, None]
     linear = np.where(back[:, None], 0.35 * linear + 0.12, linear)
     image = np.ones((view.height, view.width, 3))
