@@ -1,5 +1,7 @@
 #include "base/executor.h"
 
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -11,7 +13,15 @@
 namespace ts {
 
 struct Executor::Arena {
-  explicit Arena(unsigned threads) : arena(static_cast<int>(threads)) {}
+  // oneTBB prints a warning when asked for more threads than it has or the host allows: ask for no more, and now.
+  explicit Arena(unsigned threads) : arena(static_cast<int>(std::min(threads, available()))) { arena.initialize(); }
+  static unsigned available() {
+    using oneapi::tbb::global_control;
+    const std::size_t allowed = global_control::active_value(global_control::max_allowed_parallelism);
+    const int cores = oneapi::tbb::info::default_concurrency();
+    return static_cast<unsigned>(
+        std::max<std::size_t>(1, std::min<std::size_t>(allowed, static_cast<std::size_t>(cores))));
+  }
   oneapi::tbb::task_arena arena;
 };
 
