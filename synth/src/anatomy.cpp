@@ -44,13 +44,13 @@ void addMarginalRidges(ToothShape &t, double at, double reach, double dropMesial
 
 void shapeIncisor(ToothShape &t, const Size &s, bool upper) {
   const double m = 0.5 * t.md, c = 0.5 * s.mdCervix / s.md * t.md, f = 0.5 * t.fl, fc = 0.5 * t.flCervix;
-  t.halfWidth = Profile(kLevels, {0.55 * c, c, 0.5 * (c + m), 0.86 * m + 0.1 * c, m, m, 0.97 * m, 0.94 * m});
-  t.facial = Profile(kLevels, {0.6 * fc, fc, 1.02 * f, 0.88 * f, 0.66 * f, 0.46 * f, 0.24 * f, 0.1 * f});
-  t.lingual = Profile(kLevels, {0.6 * fc, fc, 0.93 * f, 0.46 * f, 0.22 * f, 0.14 * f, 0.1 * f, 0.1 * f});
-  t.roundness = Profile(kLevels, {1.0, 0.95, 0.8, 0.6, 0.45, 0.35, 0.3, 0.3});
+  t.halfWidth = Profile(kLevels, {0.55 * c, c, 0.5 * (c + m), 0.86 * m + 0.1 * c, m, 0.99 * m, 0.93 * m, 0.84 * m});
+  t.facial = Profile(kLevels, {0.6 * fc, fc, 1.02 * f, 0.88 * f, 0.67 * f, 0.49 * f, 0.29 * f, 0.12 * f});
+  t.lingual = Profile(kLevels, {0.6 * fc, fc, 0.93 * f, 0.48 * f, 0.26 * f, 0.2 * f, 0.19 * f, 0.17 * f});
+  t.roundness = Profile(kLevels, {1.0, 0.95, 0.85, 0.75, 0.65, 0.55, 0.5, 0.5});
   t.taper = upper ? 0.2 : 0.14;
   const double distalDrop = upper ? 0.35 : 0.1;
-  t.cap.push_back(ridge(-0.40 * t.md, 0.06 * f, t.height, 0.34 * t.md, 0.06 * f, t.height - distalDrop, 0.8, 0));
+  t.cap.push_back(ridge(-0.37 * t.md, 0.05 * f, t.height, 0.30 * t.md, 0.05 * f, t.height - distalDrop, 0.9, 0));
   t.tips.push_back({-0.42 * t.md, 0.08 * f, 1});
   t.tips.push_back({0.38 * t.md, 0.08 * f, 1});
   t.capBlend = 0.5;
@@ -58,6 +58,8 @@ void shapeIncisor(ToothShape &t, const Size &s, bool upper) {
   t.fossaWidth = 0.34 * t.md;
   t.grooves.push_back({-0.17 * t.md, 1, 0.09 * t.md, 0.10, 0.45});
   t.grooves.push_back({0.17 * t.md, 1, 0.09 * t.md, 0.10, 0.45});
+  // Rounded facial line angles: the embrasure between two incisors is a furrow up to the incisal edge.
+  for (const double side : {-0.5, 0.5}) t.grooves.push_back({side * t.md, 1, 0.14 * t.md, 0.4, -0.1});
   t.contactW = 0.76 * t.height;
   t.contactV = 0.2 * f;
 }
@@ -103,7 +105,7 @@ void shapePremolar(ToothShape &t, const Size &s, bool upper, bool first) {
   }
   const double marginal = upper ? 1.7 : (first ? 2.3 : 1.8);
   addMarginalRidges(t, 0.41 * t.md, 0.2 * t.fl, marginal, marginal + 0.1);
-  t.fissureDepth = first && !upper ? 0.2 : 0.4;
+  t.fissureDepth = first && !upper ? 0.2 : 0.3;
   t.capBlend = 0.8;
   t.contactW = 0.66 * t.height;
   t.contactV = 0.12 * f;
@@ -150,7 +152,7 @@ void shapeMolar(ToothShape &t, const Size &s, bool upper, bool first) {
     t.grooves.push_back({-0.02 * M, -1, 0.5, 0.3, 0.5});
   }
   addMarginalRidges(t, 0.43 * M, 0.18 * t.fl, 1.4, 1.6);
-  t.fissureDepth = 0.5;
+  t.fissureDepth = 0.42;
   t.capBlend = 0.9;
   t.contactW = 0.68 * t.height;
   t.contactV = 0.05 * f;

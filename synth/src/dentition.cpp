@@ -18,7 +18,7 @@ constexpr double kShiftUpper[7] = {0.5, -1.0, 1.1, -0.5, 0.3, 0, 0};
 constexpr double kShiftLower[7] = {-0.7, 1.0, 0.3, -0.6, 0.4, 0, 0};
 
 // Contacts are bridged as scanners do it: gaps up to half the blend close, the narrow space under the contact sooner.
-constexpr double kContactBlend = 0.7, kEmbrasureBlend = 2.0;
+constexpr double kContactBlend = 0.4, kEmbrasureBlend = 2.0;
 constexpr double kSulcusBlend = 0.2;
 constexpr double kRidgeLimit = 75, kRidgeStep = 0.5;
 
@@ -176,7 +176,7 @@ double Dentition::ridge(Vec3 p, const ArchCurve::Coordinates &c) const {
   const double bulge = 0.9 * (1 - std::exp(-body / 2.5));
   const double over = body > 5 ? body - 5 : 0;
   const double facial = k.halfWidth + bulge + 0.1 * body + 0.1 * over * over;
-  const double lingual = k.halfWidth + bulge + (upper_ ? 0.4 + 0.45 * front : 0.05 + 0.1 * front) * body;
+  const double lingual = k.halfWidth + bulge + (upper_ ? 0.7 + 0.4 * front : 0.05 + 0.1 * front) * body;
   const double t = c.t - k.t - k.lean * body;
   double f = std::fmax(t - facial, -t - lingual);
   f = smoothMax(f, -d, 2.6 + 0.6 * k.missing);

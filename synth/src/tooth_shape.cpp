@@ -58,7 +58,7 @@ double ToothShape::top(double u, double v) const {
       second = h, secondGroove = e.groove;
     }
   }
-  const double c = (first - second) / 0.3;
+  const double c = (first - second) / 0.4;
   return first - fissureDepth * firstGroove * secondGroove * std::exp(-c * c);
 }
 
