@@ -48,7 +48,7 @@ TEST_CASE("numbers at the ends of the range") {
 
 TEST_CASE("OFF and its variants") {
   const std::string body = "0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n3 0 1 2\n4 0 1 2 3\n";
-  for (const std::string &head :
+  for (const char *head :
        {"OFF\n4 2 0\n", "OFF 4 2 0\n", "# by hand\nOFF # yes\n\n# counts\n4 2 5\n\n", "OFF\r\n4 2 0\r\n"}) {
     const RawMesh m = read(head + body);
     CHECK(m.position.size() == 4);
