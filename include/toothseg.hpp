@@ -285,6 +285,9 @@ class Features {
     return Features([&](ts_features **out) { return ts_features_clone(get(), out); }, nullptr);
   }
 
+  ts_features_info info() const {
+    return detail::info<ts_features_info>([&](auto *i) { return ts_features_get_info(get(), i); });
+  }
   Point occlusal() const {
     Point d{};
     detail::check(ts_features_get_occlusal(get(), d.data()));

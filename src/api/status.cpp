@@ -12,6 +12,9 @@ thread_local char last_message[512] = "";
 
 void keep_message(const char *function, const char *what) noexcept {
   std::snprintf(last_message, sizeof last_message, "%s: %s", function, what);
+  // One line, whatever a file is called.
+  for (char *c = last_message; *c; ++c)
+    if (*c == '\n' || *c == '\r') *c = '?';
 }
 
 ts_status status_of(Fault fault) noexcept {

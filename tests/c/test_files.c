@@ -300,7 +300,9 @@ static void ply_files(void) {
     bytes keep = whole;
     free_bytes(&keep);
 #define NAMED(what) (snprintf(name, sizeof name, "%s: %s", codings[i], what), name)
-    expect(NAMED("cut in the header"), cut(ply(&plane, codings[i], 81, 128), 60), TS_FORMAT_AUTO, TS_E_FILE_TRUNCATED);
+    /* "ply", "format ... 1.0": cut behind a line, since half a word may be a wrong one. */
+    expect(NAMED("cut in the header"), cut(ply(&plane, codings[i], 81, 128), 4 + 12 + strlen(codings[i])),
+           TS_FORMAT_AUTO, TS_E_FILE_TRUNCATED);
     expect(NAMED("cut at the end"), cut(ply(&plane, codings[i], 81, 128), size - 6), TS_FORMAT_AUTO,
            TS_E_FILE_TRUNCATED);
     expect(NAMED("trailing"), with(ply(&plane, codings[i], 81, 128), "and so on"), TS_FORMAT_AUTO, TS_E_FILE_TRAILING);

@@ -28,7 +28,7 @@ static ts_intake_report report_of(const ts_model *model) {
 /* -------------------------------------------------------------------------------------------------------- refused */
 
 static void bad_arrays_are_refused(void) {
-  static const double bad[] = {0, 0, 0};
+  static const double line[] = {0, 0, 0, 20, 0, 0, 40, 0, 0};
   mesh plane = make_plane(20, 10);
   ts_mesh_input input = input_of(&plane);
   uint32_t kept;
@@ -82,11 +82,11 @@ static void bad_arrays_are_refused(void) {
 
   harness_case("all faces degenerate");
   input = input_of(&plane);
-  input.positions = bad;
-  input.vertex_count = 1;
+  input.positions = line;
+  input.vertex_count = 3;
   {
-    static const uint32_t zeros[] = {0, 0, 0, 0, 0, 0};
-    input.triangles = zeros;
+    static const uint32_t flat[] = {0, 1, 2, 0, 2, 2};
+    input.triangles = flat;
     input.triangle_count = 2;
   }
   refuse(&input, TS_E_MESH_EMPTY);

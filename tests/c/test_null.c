@@ -159,6 +159,8 @@ static void feature_functions(void) {
   REFUSED(ts_features_create, (s.model, NULL));
   REFUSED(ts_features_clone, (NULL, features));
   REFUSED(ts_features_clone, (s.features, NULL));
+  REFUSED(ts_features_get_info, (NULL, (ts_features_info *)&out));
+  REFUSED(ts_features_get_info, (s.features, NULL));
   REFUSED(ts_features_get_occlusal, (NULL, xyz));
   REFUSED(ts_features_get_occlusal, (s.features, NULL));
   REFUSED(ts_features_set_occlusal, (NULL, xyz));
@@ -257,7 +259,7 @@ static void result_functions(void) {
 
 static void every_function_is_here(void) {
   size_t i;
-  CHECK(FUNCTIONS >= 59);
+  CHECK(FUNCTIONS >= 60);
   for (i = 0; i < FUNCTIONS; ++i) {
     harness_case("%s", functions[i]);
     CHECK(addresses[i] != NULL);

@@ -79,6 +79,9 @@ static uint32_t tooth_id;
 static ts_status get_report(void *o) {
   return ts_model_get_report(s.model, o);
 }
+static ts_status get_features(void *o) {
+  return ts_features_get_info(s.features, o);
+}
 static ts_status get_click(void *o) {
   return ts_get_click(s.segmentation, 0, o);
 }
@@ -104,6 +107,7 @@ static const struct {
                {"ts_feature_options", init_features, use_features, sizeof(ts_feature_options)},
                {"ts_segment_options", init_segment, use_segment, sizeof(ts_segment_options)}},
   results[] = {{"ts_intake_report", NULL, get_report, sizeof(ts_intake_report)},
+               {"ts_features_info", NULL, get_features, sizeof(ts_features_info)},
                {"ts_click_info", NULL, get_click, sizeof(ts_click_info)},
                {"ts_tooth_info", NULL, get_tooth, sizeof(ts_tooth_info)},
                {"ts_cut_info", NULL, get_cut, sizeof(ts_cut_info)},
