@@ -1,5 +1,5 @@
 // How many teeth of labelled scans own exactly one feature group of theirs alone.
-//   bench_features [--image DIR] [--stress] FOLDER...
+//   bench_features [--image DIR] [--stress] [--synthetic] FOLDER...
 // One line a scan and the total. --image writes DIR/<name>.ppm: the strip with cuts, points and labels (keep it
 // private).
 #include <chrono>
@@ -9,6 +9,7 @@
 #include "bench/features_image.h"
 #include "bench/features_score.h"
 #include "bench/scan_variants.h"
+#include "bench/synthetic_scan.h"
 #include "features/detect.h"
 
 namespace {
@@ -50,17 +51,24 @@ int main(int argc, char **argv) {
   for (int a = 1; a < argc; ++a) {
     if (!std::strcmp(argv[a], "--image") && a + 1 < argc) {
       image = argv[++a];
-      continue;
-    }
-    if (!std::strcmp(argv[a], "--stress")) {
+    } else if (!std::strcmp(argv[a], "--stress")) {
       stressed = true;
-      continue;
-    }
-    if (stressed) {
+    } else if (!std::strcmp(argv[a], "--synthetic")) {
+      for (const bool upper : {true, false})
+        for (const double crowding : {0.0, 0.35, 0.65, 1.0})
+          for (unsigned seed = 1; seed < 4; ++seed)
+            scans.push_back(bench::synthetic_scan(upper, crowding, seed, {}, 30000));
+      scans.push_back(bench::synthetic_scan(true, 0.35, 4, {12, 16, 25}, 30000));
+      scans.push_back(bench::synthetic_scan(false, 0.35, 5, {31, 46}, 30000));
+    } else {
       scans.push_back(bench::read_scan_folder(argv[a]));
-      continue;
     }
-    const bench::ScanFolder scan = bench::read_scan_folder(argv[a]);
+  }
+  if (stressed) {
+    stress(scans, image);
+    return 0;
+  }
+  for (const bench::ScanFolder &scan : scans) {
     try {
       const auto begin = std::chrono::steady_clock::now();
       const Executor executor(1);
@@ -79,8 +87,5 @@ int main(int argc, char **argv) {
       std::printf("%s: %s\n", scan.name.c_str(), e.what());
     }
   }
-  if (stressed)
-    stress(scans, image);
-  else
-    total.print("total");
+  total.print("total");
 }
