@@ -103,7 +103,7 @@ void Dentition::place(const Settings &settings) {
   for (size_t i = 0; i < all.size(); ++i) {
     PlacedTooth &t = all[i];
     const double v = 0.5 * (t.shape.facial(0) - t.shape.lingual(0));
-    const Vec3 neck = t.world(0, v, 0.2), apex = t.world(0, v, -7.8);
+    const Vec3 neck = t.world(0, v, 0.9), apex = t.world(0, v, -7.1);
     const auto cn = curve_.locate(neck.x, neck.y), ca = curve_.locate(apex.x, apex.y);
     const bool gone = isMissing(t);
     ridgePoints_.push_back({cn.s, cn.t - (gone ? 0.5 : 0), neck.z - (gone ? 1.2 : 0),
@@ -176,7 +176,8 @@ double Dentition::ridge(Vec3 p, const ArchCurve::Coordinates &c) const {
   const double bulge = 0.9 * (1 - std::exp(-body / 2.5));
   const double over = body > 5 ? body - 5 : 0;
   const double facial = k.halfWidth + bulge + 0.1 * body + 0.1 * over * over;
-  const double lingual = k.halfWidth + bulge + (upper_ ? 0.7 + 0.4 * front : 0.05 + 0.1 * front) * body;
+  const double lingual =
+      k.halfWidth + bulge + (upper_ ? 0.6 * front : 0) + (upper_ ? 0.7 + 0.4 * front : 0.05 + 0.1 * front) * body;
   const double t = c.t - k.t - k.lean * body;
   double f = std::fmax(t - facial, -t - lingual);
   f = smoothMax(f, -d, 2.6 + 0.6 * k.missing);
@@ -194,7 +195,7 @@ Dentition::Value Dentition::evaluate(Vec3 p) const {
     const Vec3 q = teeth_[i].local(p);
     const ToothSample s = teeth_[i].shape.sample(q.x, q.y, q.z);
     if (s.crown >= 1e3) continue;
-    gum = smoothMin(gum, s.gum, 1.3);
+    gum = smoothMin(gum, s.gum, 2.2);
     const double open = smoothstep(0.5, 0.85, q.z / teeth_[i].shape.height);
     crown = smoothMin(crown, s.crown, bridging_ * (kEmbrasureBlend + (kContactBlend - kEmbrasureBlend) * open));
     if (s.crown < closest) closest = s.crown, label = static_cast<uint32_t>(i) + 1;
