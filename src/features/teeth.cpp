@@ -48,54 +48,181 @@ double Lattice::log_width(int from, int to) const {
 double Lattice::tooth(int from, int to) const {
   if (!starts.empty() && (starts[from] < 0 || starts[from] != ends[to])) return impossible;
   const double z = log_width(from, to);
-  return slice_[to] - slice_[from] + bias_ + width_ * z + width2_ * z * z;
+  double score = slice_[to] - slice_[from] + bias_ + width_ * z + width2_ * z * z;
+  if (!expected.empty())
+    score -= width_cost * std::pow(std::log((to - from) * Strip::step / expected[(from + to) / 2]), 2);
+  return score;
 }
 
-Vec<ToothSpan> best_division(const Lattice &l) {
-  const int n = l.slices();
-  // best score of a division up to a position that ends in a tooth / in a gap, and where that segment began
-  Vec<double> tooth(n + 1, impossible), gap(n + 1, impossible);
-  Vec<int> start(n + 1, -1);
-  Vec<std::uint8_t> contact(n + 1, 0), gap_after_tooth(n + 1, 0);
-  gap[0] = 0;
-  for (int i = 1; i <= n; ++i) {
-    const double from_tooth = tooth[i - 1] + l.change() + l.gap(i - 1), from_gap = gap[i - 1] + l.gap(i - 1);
-    gap[i] = std::max(from_tooth, from_gap);
-    gap_after_tooth[i] = from_tooth > from_gap;
-    for (int j = std::max(0, i - l.longest()); j <= i - l.shortest(); ++j) {
-      const double free = gap[j] + l.change(), touching = tooth[j] + l.contact(j), before = std::max(free, touching);
-      if (before == impossible) continue;
-      const double s = before + l.tooth(j, i);
-      if (s > tooth[i]) tooth[i] = s, start[i] = j, contact[i] = touching > free;
-    }
-  }
-  Vec<ToothSpan> teeth;
-  bool in_tooth = tooth[n] + l.change() > gap[n];
-  for (int i = n; i > 0;) {
-    if (!in_tooth) {
-      in_tooth = gap_after_tooth[i];
-      --i;
-      continue;
-    }
-    ToothSpan span{start[i], i, -1, -1, 0};
-    if (contact[i]) span.from_slant = l.slant(start[i]);
-    if (!teeth.empty() && teeth.back().from == i && teeth.back().from_slant >= 0)
-      span.to_slant = teeth.back().from_slant;
-    teeth.push_back(span);
-    in_tooth = contact[i];
-    i = start[i];
-  }
-  std::reverse(teeth.begin(), teeth.end());
+namespace {
 
+// What the formula says of the step from place `a` (-1: none yet) to place `b` (places: none any more).
+struct Steps {
+  explicit Steps(const FormulaCosts &c) {
+    for (int a = -1; a < places; ++a)
+      for (int b = a + 1; b <= places; ++b) {
+        const auto third_molar = [](int p) { return p == 0 || p == places - 1; };
+        int missing = 0;
+        for (int p = a + 1; p < b; ++p) missing += !third_molar(p);
+        const double molar = b < places && third_molar(b) ? c.third_molar : 0;
+        const bool end = a < 0 || b == places;
+        open[a + 1][b] = -molar - (end ? c.missing_end * std::min(missing, 2) : c.missing_open * missing);
+        closed[a + 1][b] = -molar - (end ? c.missing_end * std::min(missing, 2) : c.missing_closed * missing);
+      }
+  }
+  std::array<std::array<double, places + 1>, places + 1> open{}, closed{};
+};
+
+// The best division for one jaw and one size.
+class Assignment {
+ public:
+  Assignment(const Lattice &l, Jaw jaw, double size, const FormulaCosts &costs, const Steps &steps)
+      : l_(l),
+        steps_(steps),
+        width_cost_(costs.width),
+        rows_(l.slices() + 1),
+        reached_(rows_),
+        gap_(rows_),
+        before_(rows_) {
+    for (int k = 0; k < places; ++k) log_mean_[k] = std::log(size * mean_width(jaw, k));
+    run();
+  }
+
+  double score() const { return score_; }
+
+  Vec<ToothSpan> spans() const {
+    Vec<ToothSpan> teeth;
+    int i = l_.slices(), k = last_;
+    bool in_tooth = ends_in_tooth_;
+    while (i > 0 && k >= 0) {
+      if (!in_tooth) {
+        in_tooth = gap_[i][k + 1].after_tooth;
+        --i;
+        continue;
+      }
+      const End &e = reached_[i][k];
+      const Before &b = before_[e.from][k];
+      ToothSpan span{e.from, i, b.touching ? l_.slant(e.from) : -1, -1, k, 0};
+      if (!teeth.empty() && teeth.back().from == i) span.to_slant = teeth.back().from_slant;
+      teeth.push_back(span);
+      i = e.from;
+      k = b.previous;
+      in_tooth = b.touching;
+    }
+    std::reverse(teeth.begin(), teeth.end());
+    return teeth;
+  }
+
+ private:
+  struct End {  // of a tooth at a position
+    double score = impossible;
+    int from = 0;
+  };
+  struct Gap {  // at a position, by the place of the last tooth + 1
+    double score = impossible;
+    bool after_tooth = false;
+  };
+  struct Before {  // what comes before a tooth that begins at a position
+    double score = impossible;
+    int previous = -1;
+    bool touching = false;
+  };
+
+  void run() {
+    gap_[0][0].score = 0;
+    for (int i = 0; i < static_cast<int>(rows_); ++i) {
+      if (i > 0) {
+        end_teeth(i);
+        for (int k = -1; k < places; ++k) {
+          const double on = gap_[i - 1][k + 1].score,
+                       from = k < 0 ? impossible : reached_[i - 1][k].score + l_.change();
+          gap_[i][k + 1] = {std::max(on, from) + l_.gap(i - 1), from > on};
+        }
+      }
+      begin_teeth(i);
+    }
+    const int n = l_.slices();
+    for (int k = 0; k < places; ++k) {
+      const double end = steps_.open[k + 1][places];
+      if (const double s = gap_[n][k + 1].score + end; s > score_) score_ = s, last_ = k, ends_in_tooth_ = false;
+      if (const double s = reached_[n][k].score + l_.change() + end; s > score_)
+        score_ = s, last_ = k, ends_in_tooth_ = true;
+    }
+    if (gap_[n][0].score > score_) score_ = gap_[n][0].score, last_ = -1;
+  }
+
+  void end_teeth(int i) {
+    for (int j = std::max(0, i - l_.longest()); j <= i - l_.shortest(); ++j) {
+      const double tooth = l_.tooth(j, i);
+      if (tooth == impossible) continue;
+      const double log_width = std::log((i - j) * Strip::step);
+      for (int k = 0; k < places; ++k) {
+        const double z = log_width - log_mean_[k], s = before_[j][k].score + tooth - width_cost_ * z * z;
+        if (s > reached_[i][k].score) reached_[i][k] = {s, j};
+      }
+    }
+  }
+
+  void begin_teeth(int j) {
+    for (int k = 0; k < places; ++k)
+      for (int a = -1; a < k; ++a) {
+        Before &b = before_[j][k];
+        if (const double s = gap_[j][a + 1].score + l_.change() + steps_.open[a + 1][k]; s > b.score) b = {s, a, false};
+        if (a < 0) continue;
+        if (const double s = reached_[j][a].score + l_.contact(j) + steps_.closed[a + 1][k]; s > b.score)
+          b = {s, a, true};
+      }
+  }
+
+  const Lattice &l_;
+  const Steps &steps_;
+  double width_cost_;
+  std::size_t rows_;
+  std::array<double, places> log_mean_;
+  Vec<std::array<End, places>> reached_;
+  Vec<std::array<Gap, places + 1>> gap_;
+  Vec<std::array<Before, places>> before_;
+  double score_ = impossible;
+  int last_ = -1;
+  bool ends_in_tooth_ = false;
+};
+
+// Probability of each tooth, its ends within 1 mm, if teeth nearby are as wide as the formula has them here.
+void add_confidence(Lattice l, const FormulaCosts &costs, const Vec<double> &width, Vec<ToothSpan> &teeth) {
+  const int n = l.slices(), near = static_cast<int>(1 / Strip::step);
+  l.expected = width;
+  l.width_cost = costs.width;
   const Marginals m = marginals(l);
-  const int near = static_cast<int>(1 / Strip::step);
-  for (ToothSpan &t : teeth)
+  for (ToothSpan &t : teeth) {
     for (int j = std::max(0, t.from - near); j <= t.from + near; ++j)
       for (int i = std::max(j + l.shortest(), t.to - near); i <= std::min({n, t.to + near, j + l.longest()}); ++i) {
         const double before = log_add(m.gap_before[j] + l.change(), m.tooth_before[j] + l.contact(j));
         t.confidence += std::exp(before + l.tooth(j, i) + m.after_tooth[i] - m.total);
       }
-  for (ToothSpan &t : teeth) t.confidence = std::min(1.0, t.confidence);
+    t.confidence = std::min(1.0, t.confidence);
+  }
+}
+
+}  // namespace
+
+Vec<ToothSpan> best_division(const Lattice &l, const FormulaCosts &costs) {
+  const Steps steps(costs);
+  Vec<ToothSpan> teeth;
+  Jaw jaw = Jaw::upper;
+  double size = 1, best = impossible;
+  for (const Jaw j : {Jaw::upper, Jaw::lower})
+    for (const double s : sizes) {
+      const Assignment a(l, j, s, costs, steps);
+      if (a.score() > best) best = a.score(), jaw = j, size = s, teeth = a.spans();
+    }
+  if (teeth.empty()) return teeth;
+  Vec<double> width(l.slices() + 1);
+  std::size_t k = 0;
+  for (int i = 0; i <= l.slices(); ++i) {
+    while (k + 1 < teeth.size() && i > (teeth[k].to + teeth[k + 1].from) / 2) ++k;
+    width[i] = size * mean_width(jaw, teeth[k].place);
+  }
+  add_confidence(l, costs, width, teeth);
   return teeth;
 }
 

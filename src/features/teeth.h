@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "features/evidence.h"
+#include "features/formula.h"
 
 namespace ts::features {
 
@@ -41,6 +42,9 @@ class Lattice {
   // and not negative. Empty: nothing is known.
   Vec<int> starts, ends;
   Vec<std::uint8_t> gap_allowed;
+  // Widths to expect, mm, by the slice in a tooth's middle, and what departures cost. Empty: nothing is expected.
+  Vec<double> expected;
+  double width_cost = 0;
 
  private:
   const Evidence *evidence_;
@@ -52,10 +56,12 @@ class Lattice {
 struct ToothSpan {
   int from = 0, to = 0;                // slices
   int from_slant = -1, to_slant = -1;  // of the cuts; -1 = towards a gap or an end, straight
+  int place = 0;                       // in the dental formula, counted from the strip's beginning
   double confidence = 0;               // probability of exactly this tooth, its ends within 1 mm, under the model
 };
 
-Vec<ToothSpan> best_division(const Lattice &lattice);
+// The best division with places of the dental formula, over both jaws and several sizes.
+Vec<ToothSpan> best_division(const Lattice &lattice, const FormulaCosts &costs = {});
 
 // Log-sums over all divisions of what lies before and after a position, by whether a tooth or a gap ends there.
 struct Marginals {
