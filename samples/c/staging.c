@@ -13,7 +13,9 @@
 #if defined(_WIN32)
 #include <process.h>
 #define getpid _getpid
+#ifndef S_ISREG
 #define S_ISREG(mode) (((mode)&_S_IFMT) == _S_IFREG)
+#endif
 #else
 #include <unistd.h>
 #endif
