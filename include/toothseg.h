@@ -468,19 +468,21 @@ TS_API TS_NODISCARD ts_status ts_segmentation_create(const ts_features *features
 TS_API void ts_segmentation_destroy(ts_segmentation *segmentation);
 
 /** Separates the tooth under `position` (mm, on the surface) and its neighbour: the group closest along the surface is
- *  the target (0), the next closest the background (1) (paper, "User interface"). `click` out, may be NULL: its number,
- *  counted from 0. Errors: TS_E_CLICK_*, TS_E_NO_CUT, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. */
+ *  the target (0), the next closest the background (1) (paper, "User interface"). The default preset takes for the
+ *  neighbour the tooth beside the target along the arch that the click faces; one that is separated already is passed
+ *  over where the tooth on the other side is not. `click` out, may be NULL: its number, counted from 0. Errors: TS_E_CLICK_*, TS_E_NO_CUT, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. */
 TS_API TS_NODISCARD ts_status ts_segment_click(ts_segmentation *segmentation, const double position[3], ts_job *job,
                                                uint32_t *click);
 
 /** Several clicks at once, solved in parallel; the result is that of the same clicks one after the other. `positions`
  *  3 doubles a click. `statuses` out, may be NULL: one a click; a click that fails leaves no trace, the others stand,
- *  and numbers are given to those that succeed, in order. Returns TS_OK if the batch ran, even if clicks failed. */
+ *  and numbers are given to those that succeed, in order. Returns TS_OK if the batch ran, even if clicks failed;
+ *  ts_last_error_message then tells of the last that did. TS_E_INVALID_ARGUMENT if a position is not finite. */
 TS_API TS_NODISCARD ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positions, uint32_t count,
                                                 ts_job *job, ts_status *statuses);
 
-/** The fewest clicks that cover every group (paper: N/2, or N/2 + 1): 3 doubles a click, to be given to
- *  ts_segment_clicks. */
+/** The fewest clicks that cover every group not yet separated (paper: N/2, or N/2 + 1 in all): 3 doubles a click, to be
+ *  given to ts_segment_clicks. No clicks once all are separated. */
 TS_API TS_NODISCARD ts_status ts_propose_clicks(const ts_segmentation *segmentation, double *positions, uint32_t capacity,
                                                 uint32_t *count);
 

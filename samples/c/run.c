@@ -43,22 +43,26 @@ int run_prepare(run *r) {
   return status == TS_OK ? 1 : complain_status(scan, status);
 }
 
-/* Clicks for the user: the fewest that cover all groups. */
+/* Clicks for the user, after those there are: the fewest that cover what is not separated yet. */
 static int propose(run *r) {
   uint32_t count = 0, i;
   double *xyz;
+  click *more;
   ts_status status = ts_propose_clicks(r->segmentation, NULL, 0, &count);
   if (status != TS_OK) return complain_status(r->options->scan, status);
   xyz = malloc((size_t)count * 3 * sizeof *xyz + 1);
-  r->clicks = calloc((size_t)count + 1, sizeof *r->clicks);
-  if (xyz == NULL || r->clicks == NULL) {
+  more = realloc(r->clicks, ((size_t)r->click_count + count + 1) * sizeof *more);
+  if (more != NULL) r->clicks = more;
+  if (xyz == NULL || more == NULL) {
     free(xyz);
     return complain("%s: out of memory", r->options->scan);
   }
   status = ts_propose_clicks(r->segmentation, xyz, count, &count);
   if (status == TS_OK) {
-    for (i = 0; i < count; ++i) memcpy(r->clicks[i].position, xyz + 3 * (size_t)i, 3 * sizeof *xyz);
-    r->click_count = count;
+    memset(more + r->click_count, 0, (size_t)count * sizeof *more);
+    for (i = 0; i < count; ++i)
+      memcpy(more[r->click_count + i].position, xyz + 3 * (size_t)i, 3 * sizeof *xyz);
+    r->click_count += count;
   }
   free(xyz);
   return status == TS_OK ? 1 : complain_status(r->options->scan, status);
@@ -134,11 +138,10 @@ static int collect_teeth(run *r) {
   return status == TS_OK ? 1 : complain_status(r->options->scan, status);
 }
 
-int run_click(run *r) {
+/* The clicks from `first` on, one after the other and not with ts_segment_clicks, for the message of each that fails. */
+static int click_from(run *r, uint32_t first) {
   uint32_t i;
-  if (r->options->clicks == NULL && !propose(r)) return 0;
-  /* One after the other and not with ts_segment_clicks, for the message of each that fails. */
-  for (i = 0; i < r->click_count; ++i) {
+  for (i = first; i < r->click_count; ++i) {
     click *c = &r->clicks[i];
     uint32_t number = TS_NONE;
     c->status = ts_segment_click(r->segmentation, c->position, NULL, &number);
@@ -151,7 +154,24 @@ int run_click(run *r) {
       return complain_status(r->options->scan, c->status);
     }
   }
-  return collect_teeth(r);
+  return 1;
+}
+
+/* Proposes until nothing is left, or until a round separates nothing more. */
+static int click_for_user(run *r) {
+  uint32_t before, now = 0;
+  do {
+    const uint32_t first = r->click_count;
+    before = now;
+    if (!propose(r) || !click_from(r, first)) return 0;
+    if (r->click_count == first) return 1;
+    if (ts_get_teeth(r->segmentation, NULL, 0, &now) != TS_OK) return complain_status(r->options->scan, TS_E_INTERNAL);
+  } while (now > before);
+  return 1;
+}
+
+int run_click(run *r) {
+  return (r->options->clicks == NULL ? click_for_user(r) : click_from(r, 0)) && collect_teeth(r);
 }
 
 void run_close(run *r) {

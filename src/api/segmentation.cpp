@@ -1,5 +1,3 @@
-#include <optional>
-
 #include "api/guard.h"
 #include "api/segmentation_handle.h"
 
@@ -92,9 +90,9 @@ tooth::Options inner_options(const ts_segment_options &o) {
   return d;
 }
 
-tooth::Click click_at(const Prepared &p, const double position[3], const Progress &progress) {
+mesh::SurfacePoint surface_point(const Prepared &p, const double position[3]) {
   need_finite(position, "position");
-  return p.segmenter->click(p.features->model->nearest({position[0], position[1], position[2]}), progress);
+  return p.features->model->nearest({position[0], position[1], position[2]});
 }
 
 void put_clicks(ts_segmentation &handle, Vec<tooth::Click> clicks) {
@@ -146,7 +144,7 @@ ts_status ts_segment_click(ts_segmentation *segmentation, const double position[
     const AllocatorScope scope(p.context().allocator);
     const ts::Progress progress = progress_of(job);
     ts::Vec<ts::tooth::Click> clicks;
-    clicks.push_back(click_at(p, position, progress));
+    clicks.push_back(p.segmenter->click(surface_point(p, position), segmentation->session.teeth(), progress));
     progress(1);
     put_clicks(*segmentation, std::move(clicks));
     if (click) *click = segmentation->session.clicks() - 1;
@@ -161,22 +159,21 @@ ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positio
     const Prepared &p = *segmentation->prepared;
     const AllocatorScope scope(p.context().allocator);
     const ts::Progress progress = progress_of(job);
-    ts::Vec<std::optional<ts::tooth::Click>> made(count);
-    ts::Vec<ts_status> status(count, TS_OK);
-    std::atomic<uint32_t> done{0};
-    p.context().executor->each(count, [&](std::size_t i) {
-      try {
-        made[i] = click_at(p, positions + 3 * i, {});
-      } catch (const Error &e) {
-        status[i] = status_of(e.fault());
-        keep_message("ts_segment_clicks", ("click " + std::to_string(i) + ": " + e.what()).c_str());
-        p.context().write_log(TS_LOG_WARNING, "click " + std::to_string(i) + ": " + e.what());
-      }
-      progress(static_cast<double>(++done) / count);
-    });
+    ts::Vec<ts::mesh::SurfacePoint> at;
+    for (uint32_t i = 0; i < count; ++i) at.push_back(surface_point(p, positions + 3 * std::size_t{i}));
+    ts::Vec<ts_status> status;
     ts::Vec<ts::tooth::Click> clicks;
-    for (auto &c : made)
-      if (c) clicks.push_back(std::move(*c));
+    for (auto &outcome : p.segmenter->clicks(at, segmentation->session.teeth(), progress)) {
+      status.push_back(outcome.click ? TS_OK : status_of(outcome.fault));
+      if (outcome.click) {
+        clicks.push_back(std::move(*outcome.click));
+        continue;
+      }
+      const std::string what = "click " + std::to_string(status.size() - 1) + ": " + outcome.message;
+      keep_message("ts_segment_clicks", what.c_str());
+      p.context().write_log(TS_LOG_WARNING, what);
+    }
+    progress(1);
     put_clicks(*segmentation, std::move(clicks));
     if (statuses) std::copy(status.begin(), status.end(), statuses);
   });
@@ -187,8 +184,8 @@ ts_status ts_propose_clicks(const ts_segmentation *segmentation, double *positio
   return guarded(__func__, [&] {
     need(segmentation, "segmentation");
     const AllocatorScope scope(segmentation->prepared->context().allocator);
-    copy_out(segmentation->prepared->segmenter->propose_clicks(), 3, positions, capacity, count,
-             [](const Vec3 &p, double *to) { std::copy_n(p.data(), 3, to); });
+    copy_out(segmentation->prepared->segmenter->propose_clicks(segmentation->session.teeth()), 3, positions, capacity,
+             count, [](const Vec3 &p, double *to) { std::copy_n(p.data(), 3, to); });
   });
 }
 

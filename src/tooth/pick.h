@@ -1,6 +1,8 @@
 // From a click to the two groups it is about (paper, "User interface").
 #pragma once
 
+#include <span>
+
 #include "tooth/prepared.h"
 
 namespace ts::tooth {
@@ -8,6 +10,9 @@ namespace ts::tooth {
 struct Pick {
   Index target = mesh::none, neighbour = mesh::none;
   double target_distance = 0, neighbour_distance = 0;  // NaN without a neighbour
+  // The group on the other side of the target along the arch, where there is a choice.
+  Index other = mesh::none;
+  double other_distance = 0;
 };
 
 // The closest group along the surface, in the metric of the options, and its neighbour: of the two next to it along the
@@ -16,5 +21,10 @@ struct Pick {
 // neighbour, the arch rule took that neighbour in 87 %, the closer of the two in 82 %, and with the concave metric in
 // 58 %: seams cost so much in it that what is left of a distance does not tell the sides.
 Pick pick(const Prepared &prepared, const mesh::SurfacePoint &at);
+
+// Takes the group on the other side where the neighbour is among those `separated` before and the other is not: so N/2
+// clicks along an arch take every tooth once, as the paper counts them, also where a click lies in the middle of a
+// tooth.
+void settle(Pick &pick, std::span<const Index> separated);
 
 }  // namespace ts::tooth

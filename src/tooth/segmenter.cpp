@@ -1,6 +1,7 @@
 #include "tooth/segmenter.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "tooth/extract.h"
@@ -27,30 +28,26 @@ double gingiva_share(const Prepared &p, const mesh::SurfacePoint &at) {
   return share;
 }
 
-}  // namespace
-
-Segmenter::Segmenter(const mesh::Surface &surface, const features::Features &features, const Options &options,
-                     const Executor &executor, const Progress &progress)
-    : impl_(std::make_unique<const Impl>(Impl{prepare(surface, features, options, executor, progress)})) {}
-Segmenter::~Segmenter() = default;
-Segmenter::Segmenter(Segmenter &&) noexcept = default;
-Segmenter &Segmenter::operator=(Segmenter &&) noexcept = default;
-
-Click Segmenter::click(const mesh::SurfacePoint &at, const Progress &progress) const {
-  const Prepared &p = impl_->prepared;
+Pick take(const Prepared &p, const mesh::SurfacePoint &at) {
   if (at.distance > p.options.click_reach)
     throw Error(Fault::click_off_surface, "the click is " + std::to_string(at.distance) + " mm from the surface");
-  Stopwatch watch;
-  Click click;
-  click.at = at;
   const Pick picked = pick(p, at);
   if (picked.target == mesh::none)
     throw Error(Fault::click_on_gingiva, "the click is on a piece of the surface without feature points");
+  return picked;
+}
+
+// From the groups to the teeth.
+Click separate(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picked, double pick_ms,
+               const Progress &progress) {
+  Stopwatch watch;
+  Click click;
+  click.at = at;
   click.target = picked.target;
   click.neighbour = picked.neighbour;
   click.target_distance = picked.target_distance;
   click.neighbour_distance = picked.neighbour_distance;
-  click.ms.pick = watch.lap();
+  click.ms.pick = pick_ms;
   progress.part(0, 0.4, "field")(0);
 
   const Fields fields = solve_fields(p, picked);
@@ -81,6 +78,89 @@ Click Segmenter::click(const mesh::SurfacePoint &at, const Progress &progress) c
   click.ms.total = click.ms.pick + click.ms.field + click.ms.cut + click.ms.label;
   progress(1);
   return click;
+}
+
+// The groups that stand separated after a click.
+void note(const Click &click, Vec<Index> &separated) {
+  for (const Tooth &t : click.teeth) separated.push_back(t.group);
+}
+
+template <class Work>
+void attempt(Segmenter::Outcome &outcome, Work &&work) {
+  try {
+    work();
+  } catch (const Error &e) {
+    if (e.fault() == Fault::cancelled) throw;
+    outcome.click.reset();
+    outcome.fault = e.fault();
+    outcome.message = e.what();
+  }
+}
+
+}  // namespace
+
+Segmenter::Segmenter(const mesh::Surface &surface, const features::Features &features, const Options &options,
+                     const Executor &executor, const Progress &progress)
+    : impl_(std::make_unique<const Impl>(Impl{prepare(surface, features, options, executor, progress)})) {}
+Segmenter::~Segmenter() = default;
+Segmenter::Segmenter(Segmenter &&) noexcept = default;
+Segmenter &Segmenter::operator=(Segmenter &&) noexcept = default;
+
+Click Segmenter::click(const mesh::SurfacePoint &at, std::span<const Index> separated, const Progress &progress) const {
+  const Prepared &p = impl_->prepared;
+  Stopwatch watch;
+  Pick picked = take(p, at);
+  settle(picked, separated);
+  return separate(p, at, picked, watch.lap(), progress);
+}
+
+Vec<Segmenter::Outcome> Segmenter::clicks(std::span<const mesh::SurfacePoint> at, std::span<const Index> separated,
+                                          const Progress &progress) const {
+  const Prepared &p = impl_->prepared;
+  struct Attempt {
+    Pick faced, used;  // before and after what stands separated is looked at
+    double ms = 0;
+    bool taken = false;
+  };
+  Vec<Attempt> attempts(at.size());
+  Vec<Outcome> outcomes(at.size());
+  p.executor->each(at.size(), [&](std::size_t i) {
+    Stopwatch watch;
+    attempt(outcomes[i], [&] {
+      attempts[i].faced = take(p, at[i]);
+      attempts[i].taken = true;
+    });
+    attempts[i].ms = watch.lap();
+  });
+  const auto run = [&](std::size_t i) {
+    attempt(outcomes[i], [&] { outcomes[i].click = separate(p, at[i], attempts[i].used, attempts[i].ms, {}); });
+  };
+  // As if all clicks succeeded.
+  Vec<Index> expected(separated.begin(), separated.end());
+  for (Attempt &a : attempts) {
+    if (!a.taken) continue;
+    a.used = a.faced;
+    settle(a.used, expected);
+    expected.push_back(a.used.target);
+    if (a.used.neighbour != mesh::none) expected.push_back(a.used.neighbour);
+  }
+  std::atomic<std::size_t> done{0};
+  p.executor->each(at.size(), [&](std::size_t i) {
+    if (attempts[i].taken) run(i);
+    progress(static_cast<double>(++done) / static_cast<double>(at.size()));
+  });
+  // Where one did not, what came after it may have had another neighbour to take.
+  Vec<Index> actual(separated.begin(), separated.end());
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    Pick picked = attempts[i].faced;
+    settle(picked, actual);
+    if (attempts[i].taken && picked.neighbour != attempts[i].used.neighbour) {
+      attempts[i].used = picked;
+      run(i);
+    }
+    if (outcomes[i].click) note(*outcomes[i].click, actual);
+  }
+  return outcomes;
 }
 
 ClickView Segmenter::view(const Click &click, const Progress &progress) const {
@@ -116,8 +196,8 @@ ClickView Segmenter::view(const Click &click, const Progress &progress) const {
   return view;
 }
 
-Vec<Vec3> Segmenter::propose_clicks() const {
-  return tooth::propose_clicks(impl_->prepared);
+Vec<Vec3> Segmenter::propose_clicks(std::span<const Index> separated) const {
+  return tooth::propose_clicks(impl_->prepared, separated);
 }
 const Options &Segmenter::options() const {
   return impl_->prepared.options;

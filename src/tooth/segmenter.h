@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "base/executor.h"
 #include "base/progress.h"
@@ -57,14 +59,26 @@ class Segmenter {
   Segmenter(Segmenter &&) noexcept;
   Segmenter &operator=(Segmenter &&) noexcept;
 
-  // Separates the tooth at `at` and its neighbour. Depends on nothing but the segmenter and the point.
+  // Separates the tooth at `at` and its neighbour. Depends on nothing but the segmenter, the point and the groups
+  // `separated` before, which are passed over where there is another neighbour.
   // Throws click_off_surface, click_on_gingiva, no_cut, cancelled.
-  Click click(const mesh::SurfacePoint &at, const Progress &progress = {}) const;
+  Click click(const mesh::SurfacePoint &at, std::span<const Index> separated = {}, const Progress &progress = {}) const;
+
+  // What came of one click of several: a click, or the fault.
+  struct Outcome {
+    std::optional<Click> click;
+    Fault fault = Fault::internal;
+    std::string message;
+  };
+
+  // Several clicks in parallel, with the outcome of the same clicks one after the other.
+  Vec<Outcome> clicks(std::span<const mesh::SurfacePoint> at, std::span<const Index> separated,
+                      const Progress &progress = {}) const;
 
   ClickView view(const Click &click, const Progress &progress = {}) const;
 
-  // The fewest clicks that cover every group: points on the surface.
-  Vec<Vec3> propose_clicks() const;
+  // The fewest clicks that cover every group not in `separated`: points on the surface.
+  Vec<Vec3> propose_clicks(std::span<const Index> separated = {}) const;
 
   const Options &options() const;
   const PrepareTimes &times() const;
