@@ -42,23 +42,34 @@ void smooth_near(const Surface &s, std::span<const double> cotangent, double rad
   const double r2 = radius * radius;
   Vec<Index> place(s.vertices(), mesh::none);
   for (Index i = 0; i < n; ++i) place[near[i]] = i;
+  struct Link {
+    Index to;
+    double weight;
+  };
+  Vec<std::size_t> start(n + 1, 0);
+  Vec<Link> link;
   Vec<double> diagonal(n), right(n), x(n), residual(n), z(n), p(n), ap(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Index v = near[i];
     diagonal[i] = s.vertex_area[v];
     right[i] = s.vertex_area[v] * psi[v];
     for (const Index e : s.vertex_edges[v]) {
-      diagonal[i] += r2 * cotangent[e];
-      if (const Index w = s.other_end(e, v); place[w] == mesh::none) right[i] += r2 * cotangent[e] * psi[w];
+      const double w = r2 * cotangent[e];
+      const Index other = s.other_end(e, v);
+      diagonal[i] += w;
+      if (place[other] == mesh::none)
+        right[i] += w * psi[other];
+      else
+        link.push_back({place[other], w});
     }
+    start[i + 1] = link.size();
     x[i] = psi[v];
   }
   const auto product = [&](const Vec<double> &a, Vec<double> &b) {
     for (std::size_t i = 0; i < n; ++i) {
       double sum = 0;
-      for (const Index e : s.vertex_edges[near[i]])
-        if (const Index j = place[s.other_end(e, near[i])]; j != mesh::none) sum += cotangent[e] * a[j];
-      b[i] = diagonal[i] * a[i] - r2 * sum;
+      for (std::size_t k = start[i]; k < start[i + 1]; ++k) sum += link[k].weight * a[link[k].to];
+      b[i] = diagonal[i] * a[i] - sum;
     }
   };
   product(x, ap);
@@ -68,7 +79,7 @@ void smooth_near(const Surface &s, std::span<const double> cotangent, double rad
     p[i] = z[i] = diagonal[i] > 0 ? residual[i] / diagonal[i] : 0;
     rho += residual[i] * z[i];
   }
-  const double goal = rho * 1e-14;
+  const double goal = rho * 1e-10;
   for (int step = 0; step < 300 && rho > goal; ++step) {
     product(p, ap);
     double pap = 0, next = 0;
@@ -116,13 +127,15 @@ void drop_unreached(const Surface &s, const Vec<Index> &near, bool negative, std
 
 }  // namespace
 
-Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> cotangent, const Mask &inside, double radius,
+Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> cotangent, const Mask &mask, double radius,
                           std::span<const Index> seeds) {
+  Mask inside = mask;
+  keep_seeded(surface, seeds, inside);
   const Vec<Index> faces = faces_of(inside);
   Vec<geometry::PathStart> mixed;
   Vec<double> psi = sides(surface, inside, faces, mixed);
   // Two rings at least, so that the line cannot leave what is looked at.
-  const Vec<Index> near = near_border(surface, mixed, std::max(6 * radius, 2 * surface.mean_edge));
+  const Vec<Index> near = near_border(surface, mixed, std::max(4 * radius, 2 * surface.mean_edge));
   Vec<Index> around, outer;
   for (const Index v : near) {
     around.insert(around.end(), surface.vertex_faces[v].begin(), surface.vertex_faces[v].end());

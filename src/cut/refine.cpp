@@ -34,15 +34,13 @@ Vec<Index> band_of(const Surface &s, const Mask &inside, double width) {
       [&](Index v, double d, Index) {
         if (d > width) return false;
         near[v] = 1;
-        for (const Index f : s.vertex_faces[v]) faces.push_back(f);
+        for (const Index f : s.vertex_faces[v]) {  // complete with its last corner
+          const auto &t = s.triangle[f];
+          if (near[t[0]] + near[t[1]] + near[t[2]] == 3) faces.push_back(f);
+        }
         return true;
       });
   std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  std::erase_if(faces, [&](Index f) {
-    const auto &t = s.triangle[f];
-    return near[t[0]] + near[t[1]] + near[t[2]] < 3;
-  });
   return faces;
 }
 
@@ -51,10 +49,8 @@ Vec<Index> band_of(const Surface &s, const Mask &inside, double width) {
 void refine(const Surface &surface, std::span<const double> phi, std::span<const double> concavity,
             std::span<const std::uint8_t> fixed, const RefineOptions &options, Mask &inside) {
   const Vec<Index> band = band_of(surface, inside, options.band);
-  const auto place = [&](Index f) {
-    const auto at = std::lower_bound(band.begin(), band.end(), f);
-    return at != band.end() && *at == f ? static_cast<Index>(at - band.begin()) : mesh::none;
-  };
+  Vec<Index> place(surface.faces(), mesh::none);
+  for (Index i = 0; i < band.size(); ++i) place[band[i]] = i;
   MaxFlow flow(band.size());
   for (Index i = 0; i < band.size(); ++i) {
     const Index f = band[i];
@@ -69,7 +65,7 @@ void refine(const Surface &surface, std::span<const double> phi, std::span<const
     for (Index k = 0; k < 3; ++k) {
       const Index h = 3 * f + k;
       if (surface.twin[h] == mesh::none) continue;
-      const Index g = mesh::face_of(surface.twin[h]), j = place(g);
+      const Index g = mesh::face_of(surface.twin[h]), j = place[g];
       const double cost = price(surface, concavity, surface.edge_of[h]);
       if (j == mesh::none)
         (inside[g] ? in : out) += cost;  // what is beyond the band stays as it is

@@ -91,11 +91,12 @@ Vec<Index> faces_of(const Mask &inside) {
 }
 
 Vec<Index> vertices_of(const Surface &surface, std::span<const Index> faces) {
+  Vec<std::uint8_t> seen(surface.vertices(), 0);
   Vec<Index> vertices;
   for (const Index f : faces)
-    for (const Index v : surface.triangle[f]) vertices.push_back(v);
+    for (const Index v : surface.triangle[f])
+      if (!seen[v]) seen[v] = 1, vertices.push_back(v);
   std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
 }
 

@@ -11,9 +11,8 @@ constexpr double kLeastCotangent = 0.01;
 
 }  // namespace
 
-double noise_gauge(const Surface &surface, const Executor &executor) {
+double noise_gauge(const Surface &surface, const Vec<Vec3> &normal, const Executor &executor) {
   const std::size_t n = surface.vertices();
-  const Vec<Vec3> normal = vertex_normals(surface, NormalWeight::angle, executor);
   Vec<double> offset(n, 0), residual(n, 0);
   executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
@@ -45,11 +44,16 @@ double presmoothing(double gauge) {
 
 Vec<double> concavity(const Surface &surface, double normal_radius, bool inside_out, const Executor &executor) {
   const Graph cotangent = make_graph(surface, cotangent_weights(surface, kLeastCotangent, executor));
-  const double pre = presmoothing(noise_gauge(surface, executor));
-  const Vec<Vec3> smoothed =
-      pre > 0 ? smooth(surface, cotangent, pre, surface.position, executor) : Vec<Vec3>(surface.position);
-  const Vec<Vec3> normal = smoothed_normals(surface, smoothed, cotangent, normal_radius, executor);
-  Principal k = principal_curvatures(surface, smoothed, normal, executor);
+  Vec<Vec3> normal = vertex_normals(surface, NormalWeight::angle, executor);
+  const double pre = presmoothing(noise_gauge(surface, normal, executor));
+  Vec<Vec3> smoothed;
+  if (pre > 0) {
+    smoothed = smooth(surface, cotangent, pre, surface.position, executor);
+    normal = vertex_normals(surface, smoothed, NormalWeight::angle, executor);
+  }
+  const Vec<Vec3> &position = pre > 0 ? smoothed : surface.position;
+  normal = smoothed_normals(surface, normal, cotangent, normal_radius, executor);
+  Principal k = principal_curvatures(surface, position, normal, executor);
   Vec<double> c = std::move(inside_out ? k.greatest : k.least);
   for (double &x : c) x = std::max(0.0, inside_out ? x : -x);
   return c;

@@ -7,7 +7,7 @@ namespace ts::geometry {
 
 // Noise of the positions: median of |u_i - mean of the neighbours' u| over the mean edge, u_i the distance of vertex i
 // from the mean of its ring along its normal. 0.024 to 0.052 on clean scans, 0.06 and more with noise of 0.05 edges.
-double noise_gauge(const Surface &surface, const Executor &executor);
+double noise_gauge(const Surface &surface, const Vec<Vec3> &normal, const Executor &executor);
 
 // mm over which the positions are smoothed before curvature is taken, for a reading of the gauge: 0 on clean scans.
 double presmoothing(double gauge);

@@ -46,13 +46,12 @@ Vec<Vec3> vertex_normals(const Surface &surface, const Vec<Vec3> &position, Norm
   return normal;
 }
 
-Vec<Vec3> smoothed_normals(const Surface &surface, const Vec<Vec3> &position, const Graph &cotangent, double radius,
+Vec<Vec3> smoothed_normals(const Surface &surface, const Vec<Vec3> &normal, const Graph &cotangent, double radius,
                            const Executor &executor) {
-  Vec<Vec3> normal = vertex_normals(surface, position, NormalWeight::angle, executor);
   if (radius <= 0) return normal;
-  normal = smooth(surface, cotangent, radius, normal, executor);
-  for (Vec3 &n : normal) n = unit(n);
-  return normal;
+  Vec<Vec3> smoothed = smooth(surface, cotangent, radius, normal, executor);
+  for (Vec3 &n : smoothed) n = unit(n);
+  return smoothed;
 }
 
 }  // namespace ts::geometry

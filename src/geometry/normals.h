@@ -13,8 +13,8 @@ Vec<Vec3> vertex_normals(const Surface &surface, NormalWeight weight, const Exec
 Vec<Vec3> vertex_normals(const Surface &surface, const Vec<Vec3> &position, NormalWeight weight,
                          const Executor &executor);
 
-// Angle-weighted normals smoothed over `radius` mm: (M + r^2 L_cot) N = M N0, then made unit again.
-Vec<Vec3> smoothed_normals(const Surface &surface, const Vec<Vec3> &position, const Graph &cotangent, double radius,
+// Unit normals smoothed over `radius` mm: (M + r^2 L_cot) N = M N0, then made unit again.
+Vec<Vec3> smoothed_normals(const Surface &surface, const Vec<Vec3> &normal, const Graph &cotangent, double radius,
                            const Executor &executor);
 
 }  // namespace ts::geometry
