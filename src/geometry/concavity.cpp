@@ -7,7 +7,8 @@ namespace ts::geometry {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
-constexpr double kLeastCotangent = 0.01;
+// Slivers would tie their ends together and cost most of the iterations.
+constexpr double kLeastCotangent = 0.01, kMostCotangent = 5;
 
 }  // namespace
 
@@ -43,7 +44,9 @@ double presmoothing(double gauge) {
 }
 
 Vec<double> concavity(const Surface &surface, double normal_radius, bool inside_out, const Executor &executor) {
-  const Graph cotangent = make_graph(surface, cotangent_weights(surface, kLeastCotangent, executor));
+  Vec<double> weight = cotangent_weights(surface, kLeastCotangent, executor);
+  for (double &w : weight) w = std::min(w, kMostCotangent);
+  const Graph cotangent = make_graph(surface, weight);
   Vec<Vec3> normal = vertex_normals(surface, NormalWeight::angle, executor);
   const double pre = presmoothing(noise_gauge(surface, normal, executor));
   Vec<Vec3> smoothed;

@@ -92,7 +92,7 @@ Vec<Vec3> smooth(const Surface &surface, const Graph &graph, double radius, cons
     p[i] = z[i];
   });
   Vec3 rho = dots(residual, z, executor);
-  const Vec3 goal = rho * 1e-10;  // 1e-5 of the first residual
+  const Vec3 goal = rho * 1e-8;  // 1e-4 of the first residual: what is left is on single slivers
   for (int iteration = 0; iteration < 500 && (rho.array() > goal.array()).any(); ++iteration) {
     product(p, ap);
     const Vec3 alpha = safe_ratio(rho, dots(p, ap, executor));
