@@ -69,7 +69,10 @@ LabelledTeeth labelled_teeth(const ScanFolder &scan) {
   }
   t.occlusal.normalize();
   for (Index i = 0; i < centre.size(); ++i) centre[i] /= area[i];
-  for (const Index i : arch_order(centre, t.occlusal)) t.label.push_back(unsorted[i]);
+  for (const Index i : arch_order(centre, t.occlusal)) {
+    t.label.push_back(unsorted[i]);
+    t.centre.push_back(centre[i]);
+  }
   for (Index i = 0; i < t.label.size(); ++i) place[t.label[i]] = i;
 
   t.of_face.assign(s.faces(), mesh::none);
@@ -160,21 +163,30 @@ Vec<Index> tooth_of_groups(const ScanFolder &scan, const LabelledTeeth &teeth, c
   return tooth;
 }
 
-Index random_crown_face(const ScanFolder &scan, const LabelledTeeth &teeth, Index tooth, std::uint64_t &state) {
+Index random_crown_face(const ScanFolder &scan, const LabelledTeeth &teeth, Index tooth, Index towards,
+                        std::uint64_t &state) {
   const mesh::Surface &s = scan.surface;
-  Vec<Index> faces;
-  double total = 0;
+  Vec<std::pair<double, Index>> faces;  // place towards the other tooth, face
   for (Index f = 0; f < s.faces(); ++f) {
     if (teeth.of_face[f] != tooth) continue;
     const auto &t = s.triangle[f];
     if ((teeth.depth[t[0]] + teeth.depth[t[1]] + teeth.depth[t[2]]) / 3 <= 0.35 * teeth.deepest[tooth]) continue;
-    faces.push_back(f);
-    total += s.face_area[f];
+    const Vec3 middle = (s.position[t[0]] + s.position[t[1]] + s.position[t[2]]) / 3;
+    faces.push_back(
+        {towards == mesh::none ? 0 : (middle - teeth.centre[tooth]).dot(teeth.centre[towards] - teeth.centre[tooth]),
+         f});
   }
+  if (faces.empty()) return mesh::none;
+  if (towards != mesh::none) {
+    std::sort(faces.begin(), faces.end());
+    faces.erase(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(faces.size() / 2));
+  }
+  double total = 0;
+  for (const auto &[side, f] : faces) total += s.face_area[f];
   double left = next_random(state) * total;
-  for (const Index f : faces)
+  for (const auto &[side, f] : faces)
     if ((left -= s.face_area[f]) <= 0) return f;
-  return faces.empty() ? mesh::none : faces.back();
+  return faces.back().second;
 }
 
 Scores score_labels(const ScanFolder &scan, const LabelledTeeth &teeth, const Vec<std::uint32_t> &predicted) {

@@ -12,10 +12,11 @@ using mesh::Index;
 
 // The labelled teeth of a scan, along the arch.
 struct LabelledTeeth {
-  Vec<int> label;       // of each tooth
-  Vec<Index> of_face;   // a face: place of its tooth, or none
-  Vec<double> depth;    // a vertex: mm along edges to the border of its tooth; 0 outside teeth
-  Vec<double> deepest;  // a tooth
+  Vec<int> label;          // of each tooth
+  Vec<Index> of_face;      // a face: place of its tooth, or none
+  Vec<double> depth;       // a vertex: mm along edges to the border of its tooth; 0 outside teeth
+  Vec<double> deepest;     // a tooth
+  Vec<mesh::Vec3> centre;  // of its area
   mesh::Vec3 occlusal = mesh::Vec3::Zero();
 };
 
@@ -31,7 +32,9 @@ features::Features features_from_labels(const ScanFolder &scan, const LabelledTe
 Vec<Index> tooth_of_groups(const ScanFolder &scan, const LabelledTeeth &teeth, const features::Features &features);
 
 // A face of the tooth at random, further inside than 0.35 of its depth, by area.
-Index random_crown_face(const ScanFolder &scan, const LabelledTeeth &teeth, Index tooth, std::uint64_t &state);
+// `towards` another tooth: on the half of the crown that faces it (none: anywhere).
+Index random_crown_face(const ScanFolder &scan, const LabelledTeeth &teeth, Index tooth, Index towards,
+                        std::uint64_t &state);
 
 // Intersection over union by area of each tooth with the predicted part matched to it (largest first, one to one).
 struct Scores {

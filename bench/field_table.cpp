@@ -1,7 +1,7 @@
 // Accuracy and time of the segmentation on folders of labelled scans.
 //
-//   bench_field [--paper] [--points cusp|core|auto] [--most N] [--clicks pairs|each] [--set name=value]... [--out DIR]
-//   FOLDER...
+//   bench_field [--paper] [--points cusp|core|auto] [--most N] [--clicks proposed|each|pairs] [--seed N] [--set
+//   name=value]... [--out DIR] FOLDER...
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -24,7 +24,8 @@ struct Setup {
   bench::PointsFrom points = bench::PointsFrom::cusp;
   bool automatic = false;  // features as detected; no label is used
   std::size_t most = 5;
-  bool each = false;  // a click a tooth at random; else the proposed ones
+  std::string clicks = "proposed";  // or "each": one a tooth at random, or "pairs": as in the paper, N / 2
+  std::uint64_t seed = 1;
   std::string out;
   bool verbose = false;
 };
@@ -107,12 +108,18 @@ void run(const std::string &folder, const Setup &setup, Totals &totals) {
   const tooth::Segmenter segmenter(scan.surface, features, setup.options, executor);
   const double prepare = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   Vec<mesh::SurfacePoint> points;
-  if (setup.each) {
-    std::uint64_t state = 12345;
-    for (Index t = 0; t < teeth.label.size(); ++t)
-      points.push_back(face_centre(scan.surface, bench::random_crown_face(scan, teeth, t, state)));
-  } else {
+  Vec<Index> clicked, beside;  // the teeth meant
+  const Index count = static_cast<Index>(teeth.label.size());
+  std::uint64_t state = setup.seed;
+  const bool pairs = setup.clicks == "pairs";
+  if (setup.clicks == "proposed") {
     for (const mesh::Vec3 &p : segmenter.propose_clicks()) points.push_back(near(scan.surface, p));
+  } else {
+    for (Index t = 0; t < count; t += pairs ? 2 : 1) {
+      clicked.push_back(t);
+      beside.push_back(!pairs ? mesh::none : t + 1 < count ? t + 1 : t - 1);
+      points.push_back(face_centre(scan.surface, bench::random_crown_face(scan, teeth, t, beside.back(), state)));
+    }
   }
   tooth::Session session(scan.surface);
   tooth::ClickTimes ms;
@@ -120,12 +127,13 @@ void run(const std::string &folder, const Setup &setup, Totals &totals) {
     try {
       tooth::Click click = segmenter.click(points[i]);
       ms.pick += click.ms.pick, ms.field += click.ms.field, ms.cut += click.ms.cut, ms.label += click.ms.label;
-      if (setup.each) {
+      if (!clicked.empty()) {
         ++totals.clicks;
-        const bool right = tooth_of[click.target] == i;
+        const bool right = tooth_of[click.target] == clicked[i];
         const Index other = click.neighbour == mesh::none ? mesh::none : tooth_of[click.neighbour];
         totals.target_right += right;
-        totals.neighbour_right += right && other != mesh::none && (other == i + 1 || other + 1 == i);
+        totals.neighbour_right += right && other != mesh::none &&
+                                  (pairs ? other == beside[i] : other == clicked[i] + 1 || other + 1 == clicked[i]);
       }
       session.add(std::move(click));
     } catch (const Error &e) {
@@ -176,7 +184,9 @@ int main(int argc, char **argv) {
       else if (a == "--most")
         setup.most = std::stoul(argv[++i]);
       else if (a == "--clicks")
-        setup.each = std::string(argv[++i]) == "each";
+        setup.clicks = argv[++i];
+      else if (a == "--seed")
+        setup.seed = std::stoull(argv[++i]);
       else if (a == "--set")
         set_option(setup.options, argv[++i]);
       else if (a == "--out")

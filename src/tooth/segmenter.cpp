@@ -61,19 +61,27 @@ Click separate(const Prepared &p, const mesh::SurfacePoint &at, const Pick &pick
   click.ms.cut = watch.lap();
   progress.part(0.5, 1, "label")(0);
 
-  click.teeth.push_back(extract_tooth(p, fields, selection, picked.target, true));
+  Tooth both[2];
+  bool found = false;
+  p.executor->each(picked.neighbour == mesh::none ? 1 : 2, [&](std::size_t k) {
+    if (k == 0) {
+      both[0] = extract_tooth(p, fields, selection, picked.target, true);
+    } else {
+      try {
+        both[1] = extract_tooth(p, fields, selection, picked.neighbour, false);
+        found = true;
+      } catch (const Error &e) {
+        if (e.fault() != Fault::no_cut) throw;  // the tooth clicked stands without its neighbour
+      }
+    }
+  });
+  click.teeth.push_back(std::move(both[0]));
+  if (found) click.teeth.push_back(std::move(both[1]));
   const Vec<Index> &own = click.teeth[0].faces;
   if (!std::binary_search(own.begin(), own.end(), at.face) && gingiva_share(p, at) > kGingiva)
     throw Error(Fault::click_on_gingiva, "the click lies on gingiva or base, " +
                                              std::to_string(picked.target_distance) +
                                              " from the nearest feature point");
-  if (picked.neighbour != mesh::none) {
-    try {
-      click.teeth.push_back(extract_tooth(p, fields, selection, picked.neighbour, false));
-    } catch (const Error &e) {
-      if (e.fault() != Fault::no_cut) throw;  // the tooth clicked stands without its neighbour
-    }
-  }
   click.ms.label = watch.lap();
   click.ms.total = click.ms.pick + click.ms.field + click.ms.cut + click.ms.label;
   progress(1);
