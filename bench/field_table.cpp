@@ -125,7 +125,7 @@ void run(const std::string &folder, const Setup &setup, Totals &totals) {
   tooth::ClickTimes ms;
   for (Index i = 0; i < points.size(); ++i) {
     try {
-      tooth::Click click = segmenter.click(points[i]);
+      tooth::Click click = segmenter.click(points[i], session.teeth());
       ms.pick += click.ms.pick, ms.field += click.ms.field, ms.cut += click.ms.cut, ms.label += click.ms.label;
       if (!clicked.empty()) {
         ++totals.clicks;
