@@ -3,30 +3,56 @@
 # separates its teeth with N/2 clicks, scores the result where the truth is known, and draws it.
 #   scripts/demo.sh [SCAN.stl|ply|obj|off]      results in out/
 set -euo pipefail
-here=$(pwd)
+if [ $# -gt 1 ] || [[ ${1:-} = -* ]]; then
+  echo "usage: scripts/demo.sh [SCAN.stl|ply|obj|off]" >&2
+  exit 2
+fi
+scan=""
+if [ $# = 1 ]; then
+  if [ ! -f "$1" ] || [ ! -r "$1" ]; then
+    echo "demo.sh: cannot read $1: no such file, or no right to" >&2
+    exit 2
+  fi
+  scan=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+fi
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
-scripts/install_deps.sh demo
-cmake --preset release -DTOOTHSEG_BUILD_TESTS=OFF -DTOOTHSEG_BUILD_BENCH=OFF >/dev/null
-cmake --build --preset release -j "$(nproc)"
-scripts/build_installed.sh build/release >/dev/null
-bin=build/release/samples
-mkdir -p out
 
-if [ $# -ge 1 ]; then
-  scan=$1
-  [[ $scan = /* ]] || scan=$here/$scan
-  name=$(basename "${scan%.*}")
+scripts/install_deps.sh demo
+echo "building in build/release"
+log=build/demo.log
+mkdir -p build out
+if ! { cmake --preset demo && cmake --build --preset demo && scripts/build_installed.sh build/release samples; } >"$log" 2>&1; then
+  tail -n 40 "$log" >&2
+  echo "demo.sh: the build failed; all of it is in $log" >&2
+  exit 1
+fi
+bin=build/release/samples
+
+truth=()
+if [ -n "$scan" ]; then
+  name=$(basename "$scan")
+  name=${name%.*}
 else
   scan=out/arch.ply
   name=arch
-  "$bin/make-arch" out/arch.ply --labels out/arch_truth.txt --jaw lower --crowding mild --triangles 100000
+  "$bin/make-arch" "$scan" --labels out/arch_truth.txt --jaw lower --crowding mild --triangles 100000
+  truth=(--mesh "$scan" --truth out/arch_truth.txt --labels out/arch_labels.txt)
 fi
-"$bin/ts-segment" "$scan" --auto --labels "out/${name}_labels.txt" --cuts "out/${name}_cuts.obj" \
-  --ply "out/${name}_teeth.ply" --report "out/${name}_report.json" --features "out/${name}_features.json"
-truth=()
-[ $# -ge 1 ] || truth=(--mesh out/arch.ply --truth out/arch_truth.txt --labels out/arch_labels.txt)
-/usr/bin/python3 scripts/demo_table.py "out/${name}_report.json" "${truth[@]}"
-/usr/bin/python3 scripts/render.py "out/${name}_teeth.ply" --cuts "out/${name}_cuts.obj" \
-  --report "out/${name}_report.json" --out "out/${name}.png"
-echo "picture: out/${name}.png    coloured mesh: out/${name}_teeth.ply"
+out=out/$name
+
+# 1: some click failed; what the others did stands, and is drawn.
+status=0
+"$bin/ts-segment" "$scan" --auto --labels "${out}_labels.txt" --cuts "${out}_cuts.obj" --ply "${out}_teeth.ply" \
+  --report "${out}_report.json" --features "${out}_features.json" || status=$?
+[ "$status" -le 1 ] || exit "$status"
+
+echo
+/usr/bin/python3 scripts/demo_table.py "${out}_report.json" "${truth[@]}"
+mapfile -t caption < <(/usr/bin/python3 scripts/demo_table.py "${out}_report.json" "${truth[@]}" --caption)
+/usr/bin/python3 scripts/render.py "${out}_teeth.ply" "$out.png" --cuts "${out}_cuts.obj" --up="${caption[0]}" \
+  --title "$name" --note "${caption[1]}"
+echo
+echo "picture        $root/$out.png"
+echo "coloured mesh  $root/${out}_teeth.ply"
+exit "$status"

@@ -1,17 +1,30 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: `install_deps.sh build|demo|test`. Nothing is asked of the network when all are there.
+# Installs the Debian packages that are missing: `install_deps.sh build|demo|test`. Nothing is asked of the network when all
+# are there. As root or through sudo.
 set -euo pipefail
 what=${1:-build}
-packages="g++ cmake ninja-build pkg-config libeigen3-dev libopenmesh-dev libtbb-dev"
-[ "$what" = build ] || packages="$packages python3 python3-numpy python3-scipy python3-pil"
-[ "$what" = test ] && packages="$packages doctest-dev binutils valgrind abigail-tools"
+packages="g++ cmake ninja-build libeigen3-dev libopenmesh-dev libtbb-dev"
+case $what in
+  build) ;;
+  demo) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core" ;;
+  test) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core doctest-dev pkg-config valgrind" ;;
+  *) echo "install_deps.sh: build, demo or test, not $what" >&2; exit 2 ;;
+esac
+command -v dpkg-query >/dev/null || { echo "install_deps.sh: needs Debian's packages: $packages" >&2; exit 1; }
 missing=""
 for p in $packages; do
   dpkg-query -W -f='${Status}' "$p" 2>/dev/null | grep -q 'ok installed' || missing="$missing $p"
 done
-[ -z "$missing" ] && exit 0
-echo "installing:$missing"
+[ -n "$missing" ] || exit 0
 sudo=""
-[ "$(id -u)" = 0 ] || sudo=sudo
-$sudo apt-get update -qq
-DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends $missing >/dev/null
+if [ "$(id -u)" != 0 ]; then
+  sudo=sudo
+  command -v sudo >/dev/null || { echo "install_deps.sh: neither root nor sudo; as root: apt-get install$missing" >&2; exit 1; }
+fi
+echo "installing:$missing"
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+for step in "update" "install -y --no-install-recommends $missing"; do
+  # shellcheck disable=SC2086
+  $sudo env DEBIAN_FRONTEND=noninteractive apt-get -q $step >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+done

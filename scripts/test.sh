@@ -5,14 +5,11 @@ cd "$(dirname "$0")/.."
 scripts/install_deps.sh test
 jobs=$(nproc)
 
-echo "== release build"
-cmake --preset release >/dev/null
-cmake --build --preset release -j "$jobs"
-ctest --preset release -j "$jobs" --output-on-failure
-
-if [ "${TS_TEST_ASAN:-1}" = 1 ]; then
-  echo "== AddressSanitizer + UndefinedBehaviorSanitizer"
-  cmake --preset asan >/dev/null
-  cmake --build --preset asan -j "$jobs"
-  ctest --preset asan -j "$jobs" --output-on-failure -LE "install|valgrind|slow"
-fi
+run() {
+  echo "== $2"
+  cmake --preset "$1" >/dev/null
+  cmake --build --preset "$1" -j "$jobs"
+  ctest --preset "$1" -j "$jobs"
+}
+run release "release build, warnings are errors"
+[ "${TS_TEST_ASAN:-1}" != 1 ] || run asan "AddressSanitizer and UndefinedBehaviorSanitizer"
