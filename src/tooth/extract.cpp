@@ -96,6 +96,18 @@ void add_cuts(const Prepared &p, const Fields &fields, Tooth &tooth, const cut::
   if (tooth.loops.size() != 1) tooth.warnings |= Warning::several_loops;
 }
 
+// Geometric mean of how far the field is one inside and of how much of the cut runs in seams (kSeam: nearly all of it
+// on a fine scan), less with a warning. Over 199 teeth found on 15 labelled scans, a tooth with IoU over 0.8 has more
+// of it than one under in 94 % of the pairs (0.9: 81 %); the first factor alone tells 91 % (72 %), the second 92 % (75
+// %).
+double confidence(const Prepared &p, const Vec<double> &own, const Tooth &tooth) {
+  constexpr double kSeam = 0.9;
+  double length = 0, concavity = 0;
+  for (const Cut &c : tooth.loops) length += c.line.length, concavity += c.line.length * c.concavity;
+  const double seam = length > 0 ? std::min(1.0, concavity / length / kSeam) : 0;
+  return std::sqrt(std::clamp(mean_inside(p, own, tooth.faces), 0.0, 1.0) * seam * (tooth.warnings ? 0.5 : 1));
+}
+
 }  // namespace
 
 Fields solve_fields(const Prepared &p, const Pick &pick) {
@@ -175,12 +187,12 @@ Tooth extract_tooth(const Prepared &p, const Fields &fields, const Selection &se
     throw Error(Fault::no_cut, "the field of group " + std::to_string(group) + " separates nothing");
   tooth.vertices = cut::vertices_of(surface, tooth.faces);
   tooth.area = cut::area_of(surface, tooth.faces);
-  tooth.confidence = std::clamp(mean_inside(p, own, tooth.faces), 0.0, 1.0);
   if (tooth.area < p.options.area_min) tooth.warnings |= Warning::area_small;
   if (tooth.area > p.options.area_max) tooth.warnings |= Warning::area_large;
   if (p.live.size() < 2) tooth.warnings |= Warning::no_neighbour;
   if (!p.rejected[group].empty()) tooth.warnings |= Warning::seed_rejected;
   add_cuts(p, fields, tooth, inside);
+  tooth.confidence = confidence(p, own, tooth);
   return tooth;
 }
 
