@@ -28,7 +28,7 @@ Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, con
 }
 
 Features divide(const mesh::Surface &surface, const Analysis &a, const Weights &weights, const DetectOptions &options) {
-  const Vec<ToothSpan> teeth = best_division(Lattice(a.evidence, weights));
+  const Division division = best_division(Lattice(a.evidence, weights));
   Features found;
   found.occlusal = a.looks.occlusal;
   found.inside_out = a.looks.inside_out;
@@ -38,7 +38,7 @@ Features divide(const mesh::Surface &surface, const Analysis &a, const Weights &
     if (!std::isnan(a.strip.crest[i])) height = a.strip.crest[i];
     found.arch.push_back(a.plan.back({p.x(), p.y(), height}));
   }
-  for (const ToothSpan &tooth : teeth) {
+  for (const ToothSpan &tooth : division.teeth) {
     Group group;
     group.points = tooth_points(surface, a.strip, a.view, a.plan, tooth, options.max_points);
     group.from = tooth.from * Strip::step;

@@ -107,9 +107,9 @@ class Sheared {
       }
       weight += above;
     }
-    m[M::ridge] = ridge;
-    m[M::fine_ridge] = fine;
-    m[M::valley] = weight > 0 ? valley / weight : 0;
+    m[M::ridge] = 10 * ridge;  // tens, so that all measures vary by about 1 and the prior of the fit treats them alike
+    m[M::fine_ridge] = 10 * fine;
+    m[M::valley] = weight > 0 ? 10 * valley / weight : 0;
     m[M::curvature] = weight > 0 ? bend / weight : 0;
     m[M::slant] = std::pow(degrees_ / 40, 2);
     const double posterior = std::clamp((table[i] - 4.0) / 2.0, 0.0, 1.0);

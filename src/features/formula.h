@@ -21,11 +21,11 @@ constexpr double mean_width(Jaw jaw, int place) {
 
 // What departures from the formula cost, in the units of the weights (teeth.h): log-probability.
 struct FormulaCosts {
-  double width = 22;          // times log(width / mean)^2: a standard deviation of 15 %, teeth and cuts together
-  double missing_closed = 3;  // a tooth missing between two that touch
-  double missing_open = 1;    // ... where there is a gap
-  double missing_end = 0.7;   // ... in front of the last one left, the third molars not counted; at most two count
-  double third_molar = 1;     // ... that is there
+  double width = 12;          // times log(width / mean)^2: a standard deviation of 20 %, of teeth and cuts together
+  double missing_closed = 2;  // a tooth missing between two that touch
+  double missing_open = 0.5;  // ... where there is a gap
+  double missing_end = 0.5;   // ... in front of the last one left, the third molars not counted; at most two count
+  double third_molar = 0.5;   // ... that is there
 };
 
 // Sizes of people's teeth against the means.

@@ -205,25 +205,24 @@ void add_confidence(Lattice l, const FormulaCosts &costs, const Vec<double> &wid
 
 }  // namespace
 
-Vec<ToothSpan> best_division(const Lattice &l, const FormulaCosts &costs) {
+Division best_division(const Lattice &l, const FormulaCosts &costs) {
   const Steps steps(costs);
-  Vec<ToothSpan> teeth;
-  Jaw jaw = Jaw::upper;
-  double size = 1, best = impossible;
-  for (const Jaw j : {Jaw::upper, Jaw::lower})
-    for (const double s : sizes) {
-      const Assignment a(l, j, s, costs, steps);
-      if (a.score() > best) best = a.score(), jaw = j, size = s, teeth = a.spans();
+  Division d;
+  double best = impossible;
+  for (const Jaw jaw : {Jaw::upper, Jaw::lower})
+    for (const double size : sizes) {
+      const Assignment a(l, jaw, size, costs, steps);
+      if (a.score() > best) best = a.score(), d.jaw = jaw, d.size = size, d.teeth = a.spans();
     }
-  if (teeth.empty()) return teeth;
-  Vec<double> width(l.slices() + 1);
+  if (d.teeth.empty()) return d;
+  d.width.resize(l.slices() + 1);
   std::size_t k = 0;
   for (int i = 0; i <= l.slices(); ++i) {
-    while (k + 1 < teeth.size() && i > (teeth[k].to + teeth[k + 1].from) / 2) ++k;
-    width[i] = size * mean_width(jaw, teeth[k].place);
+    while (k + 1 < d.teeth.size() && i > (d.teeth[k].to + d.teeth[k + 1].from) / 2) ++k;
+    d.width[i] = d.size * mean_width(d.jaw, d.teeth[k].place);
   }
-  add_confidence(l, costs, width, teeth);
-  return teeth;
+  add_confidence(l, costs, d.width, d.teeth);
+  return d;
 }
 
 Marginals marginals(const Lattice &l) {

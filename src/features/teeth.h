@@ -60,8 +60,15 @@ struct ToothSpan {
   double confidence = 0;               // probability of exactly this tooth, its ends within 1 mm, under the model
 };
 
+struct Division {
+  Vec<ToothSpan> teeth;
+  Jaw jaw = Jaw::upper;
+  double size = 1;    // of the teeth against the means
+  Vec<double> width;  // a position: the width the formula expects of a tooth around it, mm
+};
+
 // The best division with places of the dental formula, over both jaws and several sizes.
-Vec<ToothSpan> best_division(const Lattice &lattice, const FormulaCosts &costs = {});
+Division best_division(const Lattice &lattice, const FormulaCosts &costs = {});
 
 // Log-sums over all divisions of what lies before and after a position, by whether a tooth or a gap ends there.
 struct Marginals {

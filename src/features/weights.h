@@ -1,5 +1,5 @@
-// Weights of the terms of a division (teeth.h), fitted by bench/features_fit.cpp (prior 0.2) to 15 labelled scans of 6
-// sources, upper and lower, with 198 teeth. Fitted without a source they do as well on it. Dimensionless but for the
+// Weights of the terms of a division (teeth.h), fitted by bench/features_fit.cpp (prior 0.3) to 15 labelled scans of 6
+// sources, upper and lower, with 198 teeth, as they are, mirrored, noisy and in pieces. Dimensionless but for the
 // slices, which count a mm.
 #pragma once
 
@@ -10,13 +10,13 @@ namespace ts::features {
 // clang-format off
 inline constexpr Weights fitted_weights = {
     // contacts, anterior: bias, area_mean, area_least, notch, ridge, fine_ridge, valley, curvature, slant
-    0.545, -2.79, -3.01, 1.87, -0.147, -0.0962, -0.54, 1.89, -3.52,
+    0.712, -3.37, -2.96, 0.648, -0.966, 1.62, -0.734, 2.21, -6.43,
     // contacts, posterior
-    -1.06, -0.841, -0.986, 0.4, -0.882, -0.554, -1.17, 2.97, -2.99,
+    -1.39, -2.68, 0.292, -0.275, -1.17, 0.749, -3.25, 2.27, -1.7,
     // slices: bias, roughness, peak, fine_peak, drop, relief, hole
-    -3.1, 2.6, 2.15, -0.959, -1.3, 2.34, -2.35,
+    -3.1, 3.08, 1.04, -1.01, -0.509, 1.32, 0.668,
     // a tooth, z, z^2, a change
-    -1.48, 2.66, -3.4, -1.96};
+    -1.5, 3.04, -2.42, -1.62};
 // clang-format on
 
 }  // namespace ts::features
