@@ -1,5 +1,5 @@
 // Fits the weights of the division into teeth (src/features/weights.h) to labelled scans.
-//   bench_features_fit [--prior P] [--out] FOLDER...
+//   bench_features_fit [--prior P] [--out] [--synthetic] FOLDER...
 // The model is a semi-Markov conditional random field: a division's probability is exp(score) over the sum of all. The
 // weights maximise the log-probability of the labelled division (its cuts free within a tolerance) less a quadratic
 // prior. The dental formula takes no part: given the true places, its widths would make splitting seem dear, and the
@@ -17,6 +17,7 @@
 
 #include "bench/features_score.h"
 #include "bench/scan_variants.h"
+#include "bench/synthetic_scan.h"
 #include "features/analysis.h"
 #include "features/weights.h"
 
@@ -244,6 +245,10 @@ int main(int argc, char **argv) {
   for (int a = 1; a < argc; ++a) {
     if (!std::strcmp(argv[a], "--prior") && a + 1 < argc) {
       prior = std::atof(argv[++a]);
+    } else if (!std::strcmp(argv[a], "--synthetic")) {
+      for (const bool upper : {true, false})
+        for (const double crowding : {0.0, 0.35, 0.65, 1.0})
+          add_scan(scans, bench::synthetic_scan(upper, crowding, 101, {}, 30000), false, executor);
     } else if (!std::strcmp(argv[a], "--out")) {
       out = true;
     } else {

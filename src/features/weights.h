@@ -1,4 +1,4 @@
-// Weights of the terms of a division (teeth.h), fitted by bench/features_fit.cpp (prior 0.3) to 15 labelled scans of 6
+// Weights of the terms of a division (teeth.h), fitted by bench/features_fit.cpp (prior 0.5) to 15 labelled scans of 6
 // sources, upper and lower, with 198 teeth, as they are, mirrored, noisy and in pieces. Dimensionless but for the
 // slices, which count a mm.
 #pragma once
@@ -10,13 +10,13 @@ namespace ts::features {
 // clang-format off
 inline constexpr Weights fitted_weights = {
     // contacts, anterior: bias, area_mean, area_least, notch, ridge, fine_ridge, valley, curvature, slant
-    0.712, -3.37, -2.96, 0.648, -0.966, 1.62, -0.734, 2.21, -6.43,
+    0.276, -3.69, -3.03, 1.41, -0.467, 1.6, -1.72, 1.1, -4.83,
     // contacts, posterior
-    -1.39, -2.68, 0.292, -0.275, -1.17, 0.749, -3.25, 2.27, -1.7,
+    -0.795, -2.22, 0.311, -0.0675, -1.23, 0.628, -3.03, 2.31, -1.87,
     // slices: bias, roughness, peak, fine_peak, drop, relief, hole
-    -3.1, 3.08, 1.04, -1.01, -0.509, 1.32, 0.668,
+    -3.04, 3.03, 1.01, -0.889, -0.523, 1.19, 0.465,
     // a tooth, z, z^2, a change
-    -1.5, 3.04, -2.42, -1.62};
+    -1.31, 2.94, -2.81, -1.58};
 // clang-format on
 
 }  // namespace ts::features
