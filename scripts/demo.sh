@@ -2,6 +2,7 @@
 # The main job, start to end: installs what is missing, builds, makes a synthetic arch (or takes the scan that is named),
 # separates its teeth with N/2 clicks, scores the result where the truth is known, and draws it.
 #   scripts/demo.sh [SCAN.stl|ply|obj|off]      results in out/
+# TS_DEMO_BIN names a folder with ts-segment and make-arch to use those, TS_DEMO_OUT another folder for the results.
 set -euo pipefail
 if [ $# -gt 1 ] || [[ ${1:-} = -* ]]; then
   echo "usage: scripts/demo.sh [SCAN.stl|ply|obj|off]" >&2
@@ -18,28 +19,30 @@ fi
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
 
-scripts/install_deps.sh demo
-echo "building in build/release"
-log=build/demo.log
-mkdir -p build out
-if ! { cmake --preset demo && cmake --build --preset demo && scripts/build_installed.sh build/release samples; } >"$log" 2>&1; then
-  tail -n 40 "$log" >&2
-  echo "demo.sh: the build failed; all of it is in $log" >&2
-  exit 1
+bin=${TS_DEMO_BIN:-build/release/samples}
+if [ -z "${TS_DEMO_BIN:-}" ]; then
+  scripts/install_deps.sh demo
+  echo "building in build/release"
+  log=build/demo.log
+  mkdir -p build
+  if ! { cmake --preset demo && cmake --build --preset demo && scripts/build_installed.sh build/release samples; } >"$log" 2>&1; then
+    tail -n 40 "$log" >&2
+    echo "demo.sh: the build failed; all of it is in $log" >&2
+    exit 1
+  fi
 fi
-bin=build/release/samples
+folder=${TS_DEMO_OUT:-$root/out}
+mkdir -p "$folder"
+folder=$(cd "$folder" && pwd)
 
 truth=()
-if [ -n "$scan" ]; then
-  name=$(basename "$scan")
-  name=${name%.*}
-else
-  scan=out/arch.ply
-  name=arch
-  "$bin/make-arch" "$scan" --labels out/arch_truth.txt --jaw lower --crowding mild --triangles 100000
-  truth=(--mesh "$scan" --truth out/arch_truth.txt --labels out/arch_labels.txt)
+name=$(basename "${scan:-arch.ply}")
+out=$folder/${name%.*}
+if [ -z "$scan" ]; then
+  scan=$out.ply
+  "$bin/make-arch" "$scan" --labels "${out}_truth.txt" --jaw lower --crowding mild --triangles 100000
+  truth=(--mesh "$scan" --truth "${out}_truth.txt" --labels "${out}_labels.txt")
 fi
-out=out/$name
 
 # 1: some click failed; what the others did stands, and is drawn.
 status=0
@@ -51,8 +54,8 @@ echo
 /usr/bin/python3 scripts/demo_table.py "${out}_report.json" "${truth[@]}"
 mapfile -t caption < <(/usr/bin/python3 scripts/demo_table.py "${out}_report.json" "${truth[@]}" --caption)
 /usr/bin/python3 scripts/render.py "${out}_teeth.ply" "$out.png" --cuts "${out}_cuts.obj" --up="${caption[0]}" \
-  --title "$name" --note "${caption[1]}"
+  --title "${name%.*}" --note "${caption[1]}"
 echo
-echo "picture        $root/$out.png"
-echo "coloured mesh  $root/${out}_teeth.ply"
+echo "picture        $out.png"
+echo "coloured mesh  ${out}_teeth.ply"
 exit "$status"
