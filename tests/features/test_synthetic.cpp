@@ -1,0 +1,94 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "features/detect.h"
+#include "toothseg_arch.h"
+
+using namespace ts;
+
+namespace {
+
+struct Arch {
+  mesh::Surface surface;
+  Vec<std::uint32_t> label;
+  std::uint32_t teeth = 0;
+};
+
+Arch make(std::uint32_t jaw, double crowding, std::uint64_t seed, const std::vector<std::uint32_t> &missing,
+          std::uint32_t base) {
+  tsa_options o{};
+  REQUIRE(tsa_options_init(&o, sizeof o) == TSA_OK);
+  o.jaw = jaw;
+  o.crowding = crowding;
+  o.seed = seed;
+  o.triangles = 20000;
+  o.base = base;
+  o.missing = missing.data();
+  o.missing_count = static_cast<std::uint32_t>(missing.size());
+  tsa_arch *made = nullptr;
+  REQUIRE(tsa_create(&o, &made) == TSA_OK);
+  const std::unique_ptr<tsa_arch, decltype(&tsa_destroy)> keep(made, tsa_destroy);
+  std::uint32_t vertices = 0, faces = 0;
+  Arch arch;
+  REQUIRE(tsa_get_positions(made, nullptr, 0, &vertices) == TSA_OK);
+  REQUIRE(tsa_get_triangles(made, nullptr, 0, &faces) == TSA_OK);
+  REQUIRE(tsa_get_teeth(made, nullptr, 0, &arch.teeth) == TSA_OK);
+  Vec<mesh::Vec3> position(vertices);
+  Vec<mesh::Triangle> triangle(faces);
+  arch.label.resize(faces);
+  REQUIRE(tsa_get_positions(made, position.data()->data(), vertices, &vertices) == TSA_OK);
+  REQUIRE(tsa_get_triangles(made, triangle.data()->data(), faces, &faces) == TSA_OK);
+  REQUIRE(tsa_get_labels(made, arch.label.data(), faces, &faces) == TSA_OK);
+  arch.surface = mesh::make_surface(std::move(position), std::move(triangle));
+  return arch;
+}
+
+// Each tooth has exactly one group, each group lies on one tooth, in order along the arch.
+void check(const Arch &arch) {
+  const features::Features f = features::detect(arch.surface, {}, Executor(1), {});
+  CHECK(f.occlusal.z() > 0.9);
+  CHECK(!f.inside_out);
+  REQUIRE(f.groups.size() == arch.teeth);
+  std::vector<std::uint32_t> order;
+  for (const features::Group &g : f.groups) {
+    std::map<std::uint32_t, int> votes;
+    for (const features::Point &p : g.points)
+      for (const mesh::Index face : arch.surface.vertex_faces[p.vertex]) ++votes[arch.label[face]];
+    std::uint32_t best = 0;
+    int most = 0, all = 0;
+    for (const auto &[label, count] : votes) {
+      all += count;
+      if (count > most) most = count, best = label;
+    }
+    CHECK(best > 0);
+    CHECK(most > 0.8 * all);
+    order.push_back(best);
+  }
+  if (order.front() > order.back()) std::reverse(order.begin(), order.end());
+  for (std::size_t k = 0; k < order.size(); ++k) CHECK(order[k] == k + 1);
+}
+
+}  // namespace
+
+TEST_CASE("synthetic arches, straight and mildly crowded") {
+  for (const std::uint32_t jaw : {TSA_JAW_UPPER, TSA_JAW_LOWER})
+    for (const double crowding : {0.0, 0.35}) {
+      CAPTURE(jaw);
+      CAPTURE(crowding);
+      check(make(jaw, crowding, 2, {}, 0));
+    }
+}
+
+TEST_CASE("synthetic arches with missing teeth") {
+  check(make(TSA_JAW_UPPER, 0.2, 4, {12, 16, 25}, 0));
+  check(make(TSA_JAW_LOWER, 0.2, 5, {31, 46}, 0));
+}
+
+TEST_CASE("a synthetic arch on a plaster base") {
+  check(make(TSA_JAW_UPPER, 0, 3, {}, 1));
+}
