@@ -2,6 +2,7 @@
 #include "dentition.h"
 
 #include <algorithm>
+#include <array>
 
 namespace tsa {
 namespace {
@@ -18,8 +19,9 @@ constexpr double kShiftUpper[7] = {0.5, -1.0, 1.1, -0.5, 0.3, 0, 0};
 constexpr double kShiftLower[7] = {-0.7, 1.0, 0.3, -0.6, 0.4, 0, 0};
 
 // Contacts are bridged as scanners do it: gaps up to half the blend close, the narrow space under the contact sooner.
-constexpr double kContactBlend = 0.4, kEmbrasureBlend = 2.0;
-constexpr double kSulcusBlend = 0.2;
+constexpr double kContactBlend = 0.15, kEmbrasureBlend = 0.8;
+constexpr double kSulcusBlend = 0.05;
+constexpr double kGumBlend = 2.2, kMarginBlend = 0.5;
 constexpr double kRidgeLimit = 75, kRidgeStep = 0.5;
 
 double radians(double degrees) {
@@ -103,7 +105,7 @@ void Dentition::place(const Settings &settings) {
   for (size_t i = 0; i < all.size(); ++i) {
     PlacedTooth &t = all[i];
     const double v = 0.5 * (t.shape.facial(0) - t.shape.lingual(0));
-    const Vec3 neck = t.world(0, v, 0.9), apex = t.world(0, v, -7.1);
+    const Vec3 neck = t.world(0, v, 0), apex = t.world(0, v, -8);
     const auto cn = curve_.locate(neck.x, neck.y), ca = curve_.locate(apex.x, apex.y);
     const bool gone = isMissing(t);
     ridgePoints_.push_back({cn.s, cn.t - (gone ? 0.5 : 0), neck.z - (gone ? 1.2 : 0),
@@ -189,17 +191,22 @@ Dentition::Value Dentition::evaluate(Vec3 p) const {
   const auto c = curve_.locate(p.x, p.y);
   double gum = ridge(p, c), crown = 1e3, closest = 1e3;
   uint32_t label = 0;
+  std::array<ToothSample, 14> near;
+  size_t count = 0;
   for (size_t i = 0; i < teeth_.size(); ++i) {
     const Vec3 d = p - teeth_[i].origin;
     if (d.x * d.x + d.y * d.y > 18.0 * 18.0) continue;
     const Vec3 q = teeth_[i].local(p);
     const ToothSample s = teeth_[i].shape.sample(q.x, q.y, q.z);
     if (s.crown >= 1e3) continue;
-    gum = smoothMin(gum, s.gum, 2.2);
+    near[count++] = s;
     const double open = smoothstep(0.5, 0.85, q.z / teeth_[i].shape.height);
     crown = smoothMin(crown, s.crown, bridging_ * (kEmbrasureBlend + (kContactBlend - kEmbrasureBlend) * open));
     if (s.crown < closest) closest = s.crown, label = static_cast<uint32_t>(i) + 1;
   }
+  // The free gingiva of a tooth grows out of the ridge, but keeps its own form at the crown.
+  const double growth = kMarginBlend + (kGumBlend - kMarginBlend) * smoothstep(0.1, 0.8, closest);
+  for (size_t i = 0; i < count; ++i) gum = smoothMin(gum, near[i].gum, growth);
   // Nothing living is smooth: stippling and unevenness of the gingiva, perikymata and wear of the enamel.
   if (std::abs(gum) < 2)
     gum += 0.22 * smoothNoise((1 / 5.5) * p, noiseSeed_) + 0.09 * smoothNoise((1 / 1.7) * p, noiseSeed_ + 1) +
@@ -208,7 +215,7 @@ Dentition::Value Dentition::evaluate(Vec3 p) const {
     crown += 0.06 * smoothNoise((1 / 2.6) * p, noiseSeed_ + 3) + 0.025 * smoothNoise((1 / 0.9) * p, noiseSeed_ + 4);
   double f = smoothMin(crown, gum, kSulcusBlend);
   if (base_) f = smoothMax(f, floor_ - p.z, 0.4);
-  return {f, crown < gum ? label : 0};
+  return {f, crown, gum, crown < gum ? label : 0};
 }
 
 }  // namespace tsa

@@ -47,7 +47,7 @@ class Dentition {
 
  private:
   struct Value {
-    double value;
+    double value, crown, gum;
     uint32_t label;
   };
   struct Crest {

@@ -48,6 +48,10 @@ TriMesh surface(const Dentition &dentition, uint32_t triangles) {
     remesher.project(field, 0.4 * edge);
     remesher.flip();
   }
+  remesher.snap([&](Vec3 p) { return dentition.label(p); });
+  remesher.relax(0.3);
+  for (int round = 0; round < 3; ++round) remesher.project(field, 0.4 * edge);
+  remesher.flip();
   return trimmed(remesher.take(), [&](Vec3 p) { return dentition.trim(p); });
 }
 

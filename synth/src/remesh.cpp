@@ -14,6 +14,7 @@ void Remesher::link() {
   const size_t n = mesh_.points.size(), h = mesh_.faces.size() * 3;
   twin_.assign(h, kNone);
   border_.assign(n, 0);
+  onLine_.assign(n, 0);
   std::vector<uint32_t> start(n + 1, 0), order(h);
   const auto low = [&](uint32_t e) { return std::min(from(e), to(e)); };
   for (uint32_t e = 0; e < h; ++e) ++start[low(e) + 1];
@@ -144,7 +145,7 @@ void Remesher::collapsePass(size_t target, const std::vector<uint8_t> &counted, 
 
 bool Remesher::shouldFlip(uint32_t h) {
   const uint32_t t = twin_[h], a = from(h), b = to(h), c = from(prev(h)), d = from(prev(t));
-  if (border_[a] || border_[b]) return false;
+  if (border_[a] || border_[b] || (onLine_[a] && onLine_[b])) return false;
   const Vec3 pa = mesh_.points[a], pb = mesh_.points[b], pc = mesh_.points[c], pd = mesh_.points[d];
   const auto cotangent = [](Vec3 u, Vec3 v) { return dot(u, v) / std::max(norm(cross(u, v)), 1e-12); };
   if (cotangent(pa - pc, pb - pc) + cotangent(pa - pd, pb - pd) > -1e-3) return false;
@@ -181,6 +182,39 @@ void Remesher::flip() {
   }
 }
 
+void Remesher::snap(const std::function<uint32_t(Vec3)> &label) {
+  struct Crossing {
+    double share;  // of the edge, from the end that h leaves
+    uint32_t h;
+  };
+  std::vector<uint32_t> at(mesh_.points.size(), kNone);
+  for (const auto &t : mesh_.faces)
+    if (t[0] != kNone)
+      for (const uint32_t v : t)
+        if (at[v] == kNone) at[v] = label(mesh_.points[v]);
+  std::vector<Crossing> crossings;
+  for (uint32_t h = 0; h < twin_.size(); ++h) {
+    if (dead(h / 3) || twin_[h] == kNone || at[from(h)] == at[to(h)]) continue;
+    const Vec3 a = mesh_.points[from(h)], b = mesh_.points[to(h)];
+    double low = 0, high = 1;
+    for (int i = 0; i < 10; ++i) {
+      const double middle = 0.5 * (low + high);
+      (label(a + middle * (b - a)) == at[from(h)] ? low : high) = middle;
+    }
+    crossings.push_back({0.5 * (low + high), h});
+  }
+  std::sort(crossings.begin(), crossings.end(),
+            [](const Crossing &a, const Crossing &b) { return a.share != b.share ? a.share < b.share : a.h < b.h; });
+  for (const auto &[share, h] : crossings) {
+    const uint32_t a = from(h), b = to(h);
+    if (onLine_[a] || onLine_[b] || border_[a] || !ring(h)) continue;
+    const Vec3 target = mesh_.points[a] + share * (mesh_.points[b] - mesh_.points[a]);
+    if (!survives(ring_, kNone, a, target, 1e9)) continue;
+    mesh_.points[a] = target;
+    onLine_[a] = 1;
+  }
+}
+
 void Remesher::relax(double amount) {
   const size_t n = mesh_.points.size();
   std::vector<Vec3> sum(n), normals(n);
@@ -196,14 +230,13 @@ void Remesher::relax(double amount) {
     }
   }
   for (size_t v = 0; v < n; ++v) {
-    if (border_[v] || count[v] == 0) continue;
+    if (border_[v] || onLine_[v] || count[v] == 0) continue;
     const Vec3 d = (1.0 / count[v]) * sum[v] - mesh_.points[v], m = normalised(normals[v]);
     mesh_.points[v] = mesh_.points[v] + amount * (d - dot(d, m) * m);
   }
 }
 
 void Remesher::project(const std::function<double(Vec3)> &field, double longestStep) {
-  constexpr double e = 0.01;
   std::vector<uint8_t> used(mesh_.points.size(), 0);
   for (uint32_t f = 0; f < mesh_.faces.size(); ++f)
     if (!dead(f))
@@ -211,10 +244,12 @@ void Remesher::project(const std::function<double(Vec3)> &field, double longestS
   for (size_t v = 0; v < mesh_.points.size(); ++v) {
     if (!used[v] || border_[v]) continue;
     Vec3 &p = mesh_.points[v];
+    // At a crease the gradient over a wider span has the direction of the bisector, and leads to its bottom.
+    const double e = onLine_[v] ? 0.12 : 0.01;
     // The four corners of a tetrahedron give value and gradient at once.
     const double a = field({p.x + e, p.y + e, p.z + e}), b = field({p.x + e, p.y - e, p.z - e}),
                  c = field({p.x - e, p.y + e, p.z - e}), d = field({p.x - e, p.y - e, p.z + e});
-    const double f = 0.25 * (a + b + c + d), k = 1 / (4 * e);
+    const double f = onLine_[v] ? field(p) : 0.25 * (a + b + c + d), k = 1 / (4 * e);
     const Vec3 g = {k * (a + b - c - d), k * (a - b + c - d), k * (a - b - c + d)};
     const double gg = std::max(dot(g, g), 0.05);
     Vec3 step = (-f / gg) * g;

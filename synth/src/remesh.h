@@ -18,6 +18,9 @@ class Remesher {
   void collapseTo(size_t target, const std::vector<uint8_t> &counted, double edge);
   // Flips edges that are not Delaunay, except across creases.
   void flip();
+  // Moves the nearer end of each edge between two labels onto the line between them, and keeps it on that line: label
+  // lines then run along edges, in the valley, as on scans that were decimated by the change of shape.
+  void snap(const std::function<uint32_t(Vec3)> &label);
   // Moves vertices towards the centre of their neighbours, in their tangent planes.
   void relax(double amount);
   void project(const std::function<double(Vec3)> &field, double longestStep);
@@ -46,6 +49,7 @@ class Remesher {
   TriMesh mesh_;
   std::vector<uint32_t> twin_;
   std::vector<uint8_t> border_;
+  std::vector<uint8_t> onLine_;  // see snap
   std::vector<uint8_t> valence_;
   // When something last changed around a vertex, and when an edge was last refused: no edge is tried twice in vain.
   std::vector<uint32_t> changed_, refused_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth_shape.h"
 
+#include <algorithm>
+
 namespace tsa {
 
 Profile::Profile(const std::vector<double> &at, const std::vector<double> &value) {
@@ -22,6 +24,11 @@ Profile::Profile(const std::vector<double> &at, const std::vector<double> &value
 
 namespace {
 
+// Of the free gingiva: thickness at its edge, what that gains over 4.5 mm, height, and rounding of the edge, mm; how
+// much it falls outwards from a right angle to the crown, mm a mm.
+constexpr double kMarginThickness = 0.75, kThickening = 0.4, kFreeGingiva = 0.8, kMarginRounding = 0.8;
+constexpr double kMarginFall = 0.4;
+
 double elementHeight(const CapElement &e, double u, double v) {
   constexpr double kTipRadius = 0.35;
   const double du = e.u1 - e.u0, dv = e.v1 - e.v0, ll = du * du + dv * dv;
@@ -30,15 +37,18 @@ double elementHeight(const CapElement &e, double u, double v) {
   return e.h0 + t * (e.h1 - e.h0) - e.slope * (std::sqrt(x * x + y * y + kTipRadius * kTipRadius) - kTipRadius);
 }
 
-// Signed distance, to first order, to the curve g = 1 with g^4 = X^4 + 2 k X^2 Y^2 + Y^4: an ellipse for k = 1, nearly
-// a rectangle for k = 0.
-double outline(double x, double y, double a, double b, double k) {
+// The gauge g of the outline g^4 = X^4 + 2 k X^2 Y^2 + Y^4, g = 1: an ellipse for k = 1, nearly a rectangle for k = 0.
+struct Outline {
+  double gauge, distance;  // signed, to first order
+};
+
+Outline outline(double x, double y, double a, double b, double k) {
   const double xx = x * x, yy = y * y;
   const double g2 = std::sqrt(xx * xx + 2 * k * xx * yy + yy * yy);
-  if (g2 < 1e-6) return -std::fmin(a, b);
+  if (g2 < 1e-6) return {1e-3, -std::fmin(a, b)};
   const double g = std::sqrt(g2), g3 = g * g2;
   const double gx = x * (xx + k * yy) / (a * g3), gy = y * (yy + k * xx) / (b * g3);
-  return (g - 1) / std::sqrt(gx * gx + gy * gy);
+  return {g, (g - 1) / std::sqrt(gx * gx + gy * gy)};
 }
 
 }  // namespace
@@ -62,14 +72,20 @@ double ToothShape::top(double u, double v) const {
   return first - fissureDepth * firstGroove * secondGroove * std::exp(-c * c);
 }
 
+ToothShape::Plan ToothShape::plan(double u, double v, double tau) const {
+  const double a = halfWidth(tau), vf = facial(tau), vl = lingual(tau);
+  const double b = 0.5 * (vf + vl), y = (v - 0.5 * (vf - vl)) / b;
+  const double x = (u - shear * v) / (a * (1 + taper * std::clamp(y, -1.2, 1.2)));
+  const Outline o = outline(x, y, a, b, roundness(tau));
+  return {x, y, o.gauge, o.distance};
+}
+
 ToothSample ToothShape::sample(double u, double v, double w) const {
   if (w > height + kReach || std::abs(u) > 0.6 * md + kReach + 1 || std::abs(v) > 0.62 * fl + kReach + 1.5) return {};
   const double tau = w / height;
-  const double a = halfWidth(tau), vf = facial(tau), vl = lingual(tau), k = roundness(tau);
-  const double b = 0.5 * (vf + vl), y = (v - 0.5 * (vf - vl)) / b;
-  const double yc = y < -1.2 ? -1.2 : (y > 1.2 ? 1.2 : y);
-  const double x = (u - shear * v) / (a * (1 + taper * yc));
-  double side = outline(x, y, a, b, k);
+  const Plan plan = this->plan(u, v, tau);
+  const double x = plan.x, y = plan.y;
+  double side = plan.distance;
   if (side > kReach) return {};
 
   if (fossaDepth > 0 && y < 0.2) {
@@ -89,13 +105,23 @@ ToothSample ToothShape::sample(double u, double v, double w) const {
     constexpr double kCapScale = 0.87;  // 1 / sqrt(1 + slope^2) at the usual cuspal incline
     s.crown = smoothMax(side, kCapScale * (w - top(u, v)), capBlend);
   }
-  const double xc = std::fmin(std::abs(x), 1.25);
-  const double mid = gumLingual + (gumFacial - gumLingual) * smoothstep(-0.6, 0.6, y);
+  // The margin is the same all the way out from a place of the outline.
+  const double xc = std::fmin(std::abs(x) / plan.gauge, 1.25), yo = y / plan.gauge;
+  const double mid = gumLingual + (gumFacial - gumLingual) * smoothstep(-0.6, 0.6, yo);
   const double edge =
       mid + ((u > 0 ? papillaDistal : papillaMesial) - mid) * std::fmin(xc * xc * (0.6 + 0.4 * xc), 1.15);
-  const double below = edge - w;
-  const double thickness = 0.3 + 0.75 * smoothstep(0, 4.5, below);
-  s.gum = smoothMax(side - thickness, 0.9 * (w - edge), 0.55);
+  // The margin stands off the crown at the same angle whatever the slope of the crown there, and the free gingiva below
+  // it goes straight on; only further down does it follow the narrower neck.
+  constexpr double kStep = 0.06;
+  const double below = edge - w, margin = this->plan(u, v, edge / height).distance;
+  const double slope =
+      std::clamp((this->plan(u, v, edge / height + kStep).distance - margin) / (kStep * height), -0.6, 1.5);
+  const double contour =
+      below > 0 ? margin + (plan.distance - margin) * smoothstep(kFreeGingiva, 4.5, below) : plan.distance;
+  const double thickness = kMarginThickness + kThickening * smoothstep(0, 4.5, below);
+  const double top = ((kMarginFall - slope) * std::fmin(contour, 1.5) - below) /
+                     std::sqrt(1 + (kMarginFall - slope) * (kMarginFall - slope));
+  s.gum = smoothMax(contour - thickness, 0.9 * top, kMarginRounding);
   return s;
 }
 

@@ -70,7 +70,14 @@ struct ToothShape {
   double top(double u, double v) const;
   ToothSample sample(double u, double v, double w) const;
   // Beyond this the sample says 1e3: further than any blend reaches.
-  static constexpr double kReach = 3.0;
+  static constexpr double kReach = 3.6;
+
+ private:
+  // In the section at a relative height: place relative to the half axes, and distance from the outline.
+  struct Plan {
+    double x, y, gauge, distance;  // gauge: 1 on the outline
+  };
+  Plan plan(double u, double v, double tau) const;
 };
 
 // The tooth at `position` 1 to 7 of a quadrant; its size and form vary a little with `random`.
