@@ -1,6 +1,7 @@
 // Weights of the terms of a division (teeth.h), fitted by bench/features_fit.cpp (--prior 0.5 --synthetic) to 15
 // labelled scans of 6 sources, upper and lower, with 198 teeth (as they are, mirrored, noisy and in pieces) and, for
-// crowding, to 8 synthetic arches. Dimensionless but for the slices, which count a mm.
+// crowding, to 8 synthetic arches. With the source of a scan left out of the fit they own as many of its teeth (197 of
+// 198). Dimensionless but for the slices, which count a mm.
 #pragma once
 
 #include "features/teeth.h"
