@@ -19,7 +19,7 @@ constexpr double kShiftUpper[7] = {0.5, -1.0, 1.1, -0.5, 0.3, 0, 0};
 constexpr double kShiftLower[7] = {-0.7, 1.0, 0.3, -0.6, 0.4, 0, 0};
 
 // Contacts are bridged as scanners do it: gaps up to half the blend close, the narrow space under the contact sooner.
-constexpr double kContactBlend = 0.15, kEmbrasureBlend = 0.8;
+constexpr double kContactBlend = 0.15, kEmbrasureBlend = 0.6;
 constexpr double kSulcusBlend = 0.05;
 constexpr double kGumBlend = 2.2, kMarginBlend = 0.5;
 constexpr double kRidgeLimit = 75, kRidgeStep = 0.5;
@@ -105,7 +105,7 @@ void Dentition::place(const Settings &settings) {
   for (size_t i = 0; i < all.size(); ++i) {
     PlacedTooth &t = all[i];
     const double v = 0.5 * (t.shape.facial(0) - t.shape.lingual(0));
-    const Vec3 neck = t.world(0, v, 0), apex = t.world(0, v, -8);
+    const Vec3 neck = t.world(0, v, 0.4), apex = t.world(0, v, -7.6);
     const auto cn = curve_.locate(neck.x, neck.y), ca = curve_.locate(apex.x, apex.y);
     const bool gone = isMissing(t);
     ridgePoints_.push_back({cn.s, cn.t - (gone ? 0.5 : 0), neck.z - (gone ? 1.2 : 0),

@@ -24,9 +24,10 @@ Profile::Profile(const std::vector<double> &at, const std::vector<double> &value
 
 namespace {
 
-// Of the free gingiva: thickness at its edge, what that gains over 4.5 mm, height, and rounding of the edge, mm; how
+// Of the free gingiva: thickness at its edge, what that gains down to the neck, height, depth of the neck below
+// the edge, and rounding of the edge, mm; how
 // much it falls outwards from a right angle to the crown, mm a mm.
-constexpr double kMarginThickness = 0.75, kThickening = 0.4, kFreeGingiva = 0.8, kMarginRounding = 0.8;
+constexpr double kMarginThickness = 0.75, kThickening = 0.4, kFreeGingiva = 0.8, kNeck = 4.5, kMarginRounding = 0.8;
 constexpr double kMarginFall = 0.4;
 
 double elementHeight(const CapElement &e, double u, double v) {
@@ -112,15 +113,16 @@ ToothSample ToothShape::sample(double u, double v, double w) const {
       mid + ((u > 0 ? papillaDistal : papillaMesial) - mid) * std::fmin(xc * xc * (0.6 + 0.4 * xc), 1.15);
   // The margin stands off the crown at the same angle whatever the slope of the crown there, and the free gingiva below
   // it goes straight on; only further down does it follow the narrower neck.
-  constexpr double kStep = 0.06;
-  const double below = edge - w, margin = this->plan(u, v, edge / height).distance;
-  const double slope =
-      std::clamp((this->plan(u, v, edge / height + kStep).distance - margin) / (kStep * height), -0.6, 1.5);
-  const double contour =
-      below > 0 ? margin + (plan.distance - margin) * smoothstep(kFreeGingiva, 4.5, below) : plan.distance;
-  const double thickness = kMarginThickness + kThickening * smoothstep(0, 4.5, below);
-  const double top = ((kMarginFall - slope) * std::fmin(contour, 1.5) - below) /
-                     std::sqrt(1 + (kMarginFall - slope) * (kMarginFall - slope));
+  const double below = edge - w, thickness = kMarginThickness + kThickening * smoothstep(0, kNeck, below);
+  double contour = plan.distance, fall = kMarginFall;
+  if (below > -3 && below < kNeck) {  // outside, what follows is without effect
+    constexpr double kStep = 0.06;
+    const double margin = this->plan(u, v, edge / height).distance;
+    const double slope = (this->plan(u, v, edge / height + kStep).distance - margin) / (kStep * height);
+    if (below > 0) contour = margin + (plan.distance - margin) * smoothstep(kFreeGingiva, kNeck, below);
+    fall -= std::clamp(slope, -0.6, 1.5);
+  }
+  const double top = (fall * std::fmin(contour, 1.5) - below) / std::sqrt(1 + fall * fall);
   s.gum = smoothMax(contour - thickness, 0.9 * top, kMarginRounding);
   return s;
 }
