@@ -93,8 +93,12 @@ static ts_status describe(const ts_segmentation *segmentation, uint32_t number, 
   c->info.struct_size = sizeof c->info;
   status = ts_get_click(segmentation, number, &c->info);
   if (status == TS_OK) status = cut_length(segmentation, c->info.target, &c->target_length);
-  if (status == TS_OK && c->info.neighbour != TS_NONE)
+  if (status == TS_OK && c->info.neighbour != TS_NONE) {
     status = cut_length(segmentation, c->info.neighbour, &c->neighbour_length);
+    if (status != TS_E_NOT_FOUND) return status;
+    c->neighbour_length = 0; /* the click stands, but no cut was found for the neighbour */
+    status = TS_OK;
+  }
   return status;
 }
 

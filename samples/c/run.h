@@ -13,7 +13,7 @@ typedef struct click {
   ts_status status;
   char message[256]; /* of a failed click */
   ts_click_info info;
-  double target_length, neighbour_length; /* of their cuts when the click was made, mm */
+  double target_length, neighbour_length; /* of their cuts when the click was made, mm; 0: no cut */
 } click;
 
 typedef struct run {
