@@ -426,7 +426,7 @@ typedef enum ts_background {
 /** How the contour of a tooth is chosen. */
 typedef enum ts_cut_rule {
   TS_CUT_GRADIENT = 0,  /**< the paper's: largest mean gradient in [0, V_med] and (V_med, 1] */
-  TS_CUT_COMPONENT = 1, /**< the component around the seeds with the best concavity x gradient */
+  TS_CUT_COMPONENT = 1, /**< the component around the seeds with the best concavity x gradient, and a tooth's area */
   TS_CUT_HALF = 2,      /**< the contour half way between the tooth's value and the background's */
   TS_CUT_FORCE_INT = 0x7fffffff
 } ts_cut_rule;
@@ -437,7 +437,7 @@ typedef struct ts_segment_options {
   ts_preset preset;            /**< what the options were initialised to; informative */
   ts_weights weights;          /**< CONCAVITY / PAPER */
   ts_background background;    /**< ALL / NEIGHBOUR */
-  ts_cut_rule cut_rule;        /**< HALF / GRADIENT */
+  ts_cut_rule cut_rule;        /**< COMPONENT / GRADIENT */
   uint32_t contours;           /**< number of iso-values sampled in (0, 1) (Fig. 4A). 100 / 100 */
   uint32_t histogram_bins;     /**< of Fig. 4C. 50 / 50 */
   uint32_t points_per_group;   /**< most constraint points used a tooth (Figs. 2, 3); 0 = all. 0 / 0 */
@@ -451,7 +451,7 @@ typedef struct ts_segment_options {
   double gingiva_distance;     /**< from every feature point, mm, at which gingiva begins for certain. 13 */
   double area_min, area_max;   /**< a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330 */
   double hole_area;            /**< holes in a tooth's region up to this are filled, mm^2. 40 / 0 */
-  double refine_band;          /**< half width of the band of the min-cut refinement, mm; 0 = none. 1.5 / 0 */
+  double refine_band;          /**< half width of the band of the min-cut refinement, mm; 0 = none. 2.5 / 0 */
   double smooth_radius;        /**< smoothing of the final line, mm; 0 = none. 0.2 / 0 */
   double click_reach;          /**< a click further from the surface than this is off it, mm. 2 / 2 */
   double click_concavity;      /**< geodesic cost |e| (1 + this * concavity) from click to points. 60 / 0 */

@@ -6,13 +6,18 @@
 namespace ts::cut {
 
 struct RefineOptions {
-  double band = 1.5;  // mm, either side
+  double band = 2.5;  // mm, either side
 };
 
-// A face keeps to its side with 0.1 |phi| area (phi the mean of its corners, about -1 deep inside to 1 far outside); an
-// edge between faces of different sides costs |e| (0.02 + 0.98 / (1 + (c / 0.1)^2)), c the concavity of its ends.
-// `fixed` (a vertex): 1 = its faces must be inside, 2 = outside, 0 = free.
-void refine(const Surface &surface, std::span<const double> phi, std::span<const double> concavity,
+// How deep a valley each edge lies in, 1/mm, from the concavities of vertices and edges. The edge's own tells which of
+// the edges around a valley's vertices is its bottom: with it the mean IoU of 15 labelled scans rises from .952 to
+// .959; from 0 to 1 times the vertices' share it changes by less than .002.
+Vec<double> seams(const Surface &surface, std::span<const double> at_vertex, std::span<const double> at_edge);
+
+// A face keeps to its side with 0.07 |phi| area (phi the mean of its corners, about -1 deep inside to 1 far outside);
+// an edge between faces of different sides costs |e| (0.02 + 0.98 / (1 + (seam / 0.5)^2)). `fixed` (a vertex): 1 = its
+// faces must be inside, 2 = outside, 0 = free.
+void refine(const Surface &surface, std::span<const double> phi, std::span<const double> seam,
             std::span<const std::uint8_t> fixed, const RefineOptions &options, Mask &inside);
 
 }  // namespace ts::cut

@@ -63,6 +63,30 @@ Vec<Index> connected_sets(const Eigen::MatrixXd &s) {
   return set;
 }
 
+// Brings the rows of each column into order and adds up what several edges from a vertex to a node give.
+void merge_columns(Vec<int> &start, Vec<int> &row, Vec<double> &value) {
+  Vec<std::pair<int, double>> column;
+  std::size_t to = 0;
+  for (std::size_t j = 0; j + 1 < start.size(); ++j) {
+    column.clear();
+    for (auto k = static_cast<std::size_t>(start[j]); k < static_cast<std::size_t>(start[j + 1]); ++k)
+      column.emplace_back(row[k], value[k]);
+    std::ranges::stable_sort(column, {}, &std::pair<int, double>::first);
+    start[j] = static_cast<int>(to);
+    for (std::size_t k = 0; k < column.size(); ++k) {
+      if (k > 0 && column[k].first == column[k - 1].first) {
+        value[to - 1] += column[k].second;
+        continue;
+      }
+      row[to] = column[k].first;
+      value[to++] = column[k].second;
+    }
+  }
+  start.back() = static_cast<int>(to);
+  row.resize(to);
+  value.resize(to);
+}
+
 }  // namespace
 
 Solver::Solver(const mesh::Surface &surface, const Vec<double> &edge_weight, const Nodes &nodes,
@@ -110,7 +134,6 @@ void Solver::factorise(const mesh::Surface &surface, const Vec<double> &edge_wei
   std::partial_sum(start.begin(), start.end(), start.begin());
   Vec<int> row(static_cast<std::size_t>(start.back())), fill(start.begin(), start.end() - 1);
   Vec<double> value(row.size());
-  // Several edges from one vertex to a node stay several entries: the factorisation adds them up.
   upper_entries([&](Index i, Index j, double w) {
     const auto k = static_cast<std::size_t>(fill[j]++);
     row[k] = static_cast<int>(i);
@@ -121,6 +144,7 @@ void Solver::factorise(const mesh::Surface &surface, const Vec<double> &edge_wei
     row[k] = static_cast<int>(i);
     value[k] = diagonal[i];
   }
+  merge_columns(start, row, value);
   const Eigen::Map<const Sparse> matrix(static_cast<int>(n), static_cast<int>(n), static_cast<int>(row.size()),
                                         start.data(), row.data(), value.data());
   Eigen::SimplicialLLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;

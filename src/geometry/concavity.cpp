@@ -10,6 +10,38 @@ constexpr std::size_t kGrain = 4096;
 // Slivers would tie their ends together and cost most of the iterations.
 constexpr double kLeastCotangent = 0.01, kMostCotangent = 5;
 
+// How far the faces beside half-edge h bend towards each other (radians; negative: away) over the distance of their
+// middles across the edge, a third of the sum of their heights.
+double bend(const Surface &s, const Vec<Vec3> &position, const Vec<Vec3> &normal, Index h) {
+  const Index f = mesh::face_of(h), g = mesh::face_of(s.twin[h]);
+  const Vec3 along = position[s.to(h)] - position[s.from(h)];
+  const double length = along.norm();
+  const double across = (normal[f].norm() + normal[g].norm()) / (3 * length);
+  if (!(length > 0) || !(across > 0)) return 0;
+  const double angle = std::atan2(normal[g].cross(normal[f]).dot(along) / length, normal[f].dot(normal[g]));
+  return angle / across;
+}
+
+Vec<double> edge_concavity(const Surface &surface, const Vec<Vec3> &position, bool inside_out,
+                           const Executor &executor) {
+  Vec<Vec3> normal(surface.faces());  // twice the area long
+  executor.ranges(surface.faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto &[a, b, c] = surface.triangle[f];
+      normal[f] = (position[b] - position[a]).cross(position[c] - position[a]);
+    }
+  });
+  Vec<double> edge(surface.edge.size(), 0);
+  executor.ranges(surface.twin.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t h = begin; h < end; ++h)
+      if (surface.twin[h] != mesh::none && h < surface.twin[h]) {
+        const double b = bend(surface, position, normal, static_cast<Index>(h));
+        edge[surface.edge_of[h]] = std::max(0.0, inside_out ? -b : b);
+      }
+  });
+  return edge;
+}
+
 }  // namespace
 
 double noise_gauge(const Surface &surface, const Vec<Vec3> &normal, const Executor &executor) {
@@ -43,7 +75,7 @@ double presmoothing(double gauge) {
   return gauge < 0.06 ? 0 : std::min(1.0, 2 * (gauge - 0.06));
 }
 
-Vec<double> concavity(const Surface &surface, double normal_radius, bool inside_out, const Executor &executor) {
+Concavity concavity(const Surface &surface, double normal_radius, bool inside_out, const Executor &executor) {
   Vec<double> weight = cotangent_weights(surface, kLeastCotangent, executor);
   for (double &w : weight) w = std::min(w, kMostCotangent);
   const Graph cotangent = make_graph(surface, weight);
@@ -57,8 +89,10 @@ Vec<double> concavity(const Surface &surface, double normal_radius, bool inside_
   const Vec<Vec3> &position = pre > 0 ? smoothed : surface.position;
   normal = smoothed_normals(surface, normal, cotangent, normal_radius, executor);
   Principal k = principal_curvatures(surface, position, normal, executor);
-  Vec<double> c = std::move(inside_out ? k.greatest : k.least);
-  for (double &x : c) x = std::max(0.0, inside_out ? x : -x);
+  Concavity c;
+  c.vertex = std::move(inside_out ? k.greatest : k.least);
+  for (double &x : c.vertex) x = std::max(0.0, inside_out ? x : -x);
+  c.edge = edge_concavity(surface, position, inside_out, executor);
   return c;
 }
 

@@ -12,8 +12,12 @@ double noise_gauge(const Surface &surface, const Vec<Vec3> &normal, const Execut
 // mm over which the positions are smoothed before curvature is taken, for a reading of the gauge: 0 on clean scans.
 double presmoothing(double gauge);
 
-// c = max(0, -kappa_min) a vertex, 1/mm, of normals smoothed over `normal_radius`. `inside_out`: the faces look
-// inwards, so that it is the bulges that are valleys.
-Vec<double> concavity(const Surface &surface, double normal_radius, bool inside_out, const Executor &executor);
+// How deep the valleys are, 1/mm. `inside_out`: the faces look inwards, so that it is the bulges that are valleys.
+struct Concavity {
+  Vec<double> vertex;  // max(0, -kappa_min) of normals smoothed over `normal_radius`
+  Vec<double> edge;  // how far the two faces turn towards each other over the distance of their middles; 0 on a border
+};
+
+Concavity concavity(const Surface &surface, double normal_radius, bool inside_out, const Executor &executor);
 
 }  // namespace ts::geometry

@@ -19,7 +19,7 @@ enum class Background {
 // How the contour of a tooth is chosen.
 enum class CutRule {
   gradient,   // the paper's: largest mean gradient in [0, V_med] and in (V_med, 1]
-  component,  // the component around the seeds with the best concavity x gradient
+  component,  // the component around the seeds with the best concavity x gradient, and a tooth's area
   half,       // half way between the tooth's value and the background's
 };
 
@@ -27,7 +27,7 @@ struct Options {
   Preset preset = Preset::standard;
   field::Scheme weights = field::Scheme::concavity;
   Background background = Background::all;
-  CutRule cut_rule = CutRule::half;
+  CutRule cut_rule = CutRule::component;
   std::uint32_t contours = 100;          // iso-values sampled in (0, 1) (Fig. 4A)
   std::uint32_t histogram_bins = 50;     // of Fig. 4C
   std::uint32_t points_per_group = 0;    // most points used a tooth (Figs. 2, 3), 0 = all
@@ -41,7 +41,7 @@ struct Options {
   double gingiva_distance = 13;          // mm from every feature point at which gingiva begins for certain
   double area_min = 25, area_max = 330;  // mm^2, of a tooth
   double hole_area = 40;                 // mm^2, holes of a region up to this are filled
-  double refine_band = 1.5;              // mm, half width of the band of the min-cut; 0 = none
+  double refine_band = 2.5;              // mm, half width of the band of the min-cut; 0 = none
   double smooth_radius = 0.2;            // mm, of the final line; 0 = none
   double click_reach = 2;                // mm, a click further from the surface is off it
   double click_concavity = 60;           // geodesic cost |e| (1 + this * concavity) from click to points

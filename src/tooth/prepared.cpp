@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "cut/refine.h"
 #include "geometry/concavity.h"
 
 namespace ts::tooth {
@@ -58,7 +59,10 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   if (p.sites.point.empty()) throw Error(Fault::no_constraint, "no feature group has a point: nothing to separate");
 
   progress.part(0, 0.01, "weights")(0);
-  p.concavity = geometry::concavity(surface, options.normal_radius, features.inside_out, executor);
+  geometry::Concavity valleys = geometry::concavity(surface, options.normal_radius, features.inside_out, executor);
+  p.seam = cut::seams(surface, valleys.vertex, valleys.edge);
+  p.concavity = std::move(valleys.vertex);
+  for (const features::Group &g : features.groups) p.width.push_back(std::max(0.0, g.to - g.from));
   progress.part(0.2, 0.3, "weights")(0);
   const Vec<double> weight = field::edge_weights(
       surface, p.concavity,

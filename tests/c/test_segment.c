@@ -221,13 +221,13 @@ static void option_defaults_are_those_of_the_header(void) {
   CHECK(d.preset == TS_PRESET_DEFAULT && p.preset == TS_PRESET_PAPER);
   CHECK(d.weights == TS_WEIGHTS_CONCAVITY && p.weights == TS_WEIGHTS_PAPER);
   CHECK(d.background == TS_BACKGROUND_ALL && p.background == TS_BACKGROUND_NEIGHBOUR);
-  CHECK(d.cut_rule == TS_CUT_HALF && p.cut_rule == TS_CUT_GRADIENT);
+  CHECK(d.cut_rule == TS_CUT_COMPONENT && p.cut_rule == TS_CUT_GRADIENT);
   CHECK(d.contours == 100 && p.contours == 100 && d.histogram_bins == 50 && p.histogram_bins == 50);
   CHECK(d.points_per_group == 0 && p.points_per_group == 0 && d.alpha == 1e8 && p.alpha == 1e8);
   CHECK(d.beta == 1e-3 && p.beta == 0.01 && d.gamma == 1e-4 && p.gamma == 1e-4 && d.theta == 0.2 && p.theta == 0.001);
   CHECK(d.c0 == 0.07 && d.normal_radius == 0.15 && d.seed_radius == 0.7 && p.seed_radius == 0);
   CHECK(d.gingiva_distance == 13 && d.area_min == 25 && d.area_max == 330 && d.hole_area == 40 && p.hole_area == 0);
-  CHECK(d.refine_band == 1.5 && p.refine_band == 0 && d.smooth_radius == 0.2 && p.smooth_radius == 0);
+  CHECK(d.refine_band == 2.5 && p.refine_band == 0 && d.smooth_radius == 0.2 && p.smooth_radius == 0);
   CHECK(d.click_reach == 2 && p.click_reach == 2 && d.click_concavity == 60 && p.click_concavity == 0);
   CHECK(d.reject_outliers == 1 && p.reject_outliers == 0);
 }

@@ -115,16 +115,17 @@ TEST_CASE("a region is the part of phi < 0 with the seeds; holes close, but not 
 
 TEST_CASE("refinement moves the border into a seam nearby, not past seeds, and leaves what is beyond the band") {
   const mesh::Surface s = forms::plane(16, 16, 80, 80);
-  Vec<double> c(s.vertices()), phi(s.vertices());
+  Vec<double> c(s.vertices()), phi(s.vertices()), level(s.edge.size(), 0);
   for (Index v = 0; v < s.vertices(); ++v) {
     const double r = (s.position[v] - Vec3(8, 8, 0)).norm();
-    c[v] = std::exp(-std::pow((r - 5) / 0.15, 2));  // a round seam at 5
+    c[v] = 4 * std::exp(-std::pow((r - 5) / 0.15, 2));  // a round seam at 5
     phi[v] = std::clamp((r - 4.3) / 3, -1.0, 1.0);
   }
+  const Vec<double> seam = seams(s, c, level);
   Vec<std::uint8_t> fixed(s.vertices(), 0);
   const Mask start = disc(s, 8, 8, 4.3);
   Mask m = start;
-  refine(s, phi, c, fixed, {1.5}, m);
+  refine(s, phi, seam, fixed, {1.5}, m);
   for (Index f = 0; f < s.faces(); ++f) {
     const double r = (centre(s, f) - Vec3(8, 8, 0)).norm();
     if (r < 4.6) CHECK(m[f]);
@@ -134,11 +135,11 @@ TEST_CASE("refinement moves the border into a seam nearby, not past seeds, and l
   const Index seed = vertex_at(s, 12.6, 8);
   fixed[seed] = 2;
   m = start;
-  refine(s, phi, c, fixed, {1.5}, m);
+  refine(s, phi, seam, fixed, {1.5}, m);
   for (const Index f : s.vertex_faces[seed]) CHECK(!m[f]);
   // A band too narrow to reach the seam leaves the border where it is cheap.
   m = start;
-  refine(s, phi, c, Vec<std::uint8_t>(s.vertices(), 0), {0.2}, m);
+  refine(s, phi, seam, Vec<std::uint8_t>(s.vertices(), 0), {0.2}, m);
   for (Index f = 0; f < s.faces(); ++f)
     if ((centre(s, f) - Vec3(8, 8, 0)).norm() > 4.8) CHECK(!m[f]);
 }

@@ -53,9 +53,9 @@ TEST_CASE("a mesh that looks inwards has the same weights when that is said") {
   const mesh::Surface inwards = mesh::make_surface(valley.position, turned);
   for (const Scheme scheme : {Scheme::concavity, Scheme::paper}) {
     WeightOptions o{scheme, 0.01, 1e-4, 0.1, 0.07};
-    const Vec<double> w = edge_weights(valley, geometry::concavity(valley, 0.15, false, one), o, one);
+    const Vec<double> w = edge_weights(valley, geometry::concavity(valley, 0.15, false, one).vertex, o, one);
     o.inside_out = true;
-    const Vec<double> v = edge_weights(inwards, geometry::concavity(inwards, 0.15, true, one), o, one);
+    const Vec<double> v = edge_weights(inwards, geometry::concavity(inwards, 0.15, true, one).vertex, o, one);
     for (Index e = 0; e < w.size(); ++e) CHECK(v[e] == doctest::Approx(w[e]).epsilon(1e-9));
   }
 }

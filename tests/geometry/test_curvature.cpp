@@ -32,7 +32,7 @@ TEST_CASE("a sphere curves by 1/R both ways and is nowhere concave") {
     CHECK(k.least[v] == doctest::Approx(0.25).epsilon(0.03));
     CHECK(k.greatest[v] == doctest::Approx(0.25).epsilon(0.03));
   }
-  for (const double c : concavity(s, 0.15, false, Executor(1))) CHECK(c == 0);
+  for (const double c : concavity(s, 0.15, false, Executor(1)).vertex) CHECK(c == 0);
 }
 
 TEST_CASE("the same sphere looking inwards is concave by 1/R, and says so only when not told") {
@@ -40,8 +40,8 @@ TEST_CASE("the same sphere looking inwards is concave by 1/R, and says so only w
   Vec<mesh::Triangle> turned = s.triangle;
   for (auto &t : turned) std::swap(t[1], t[2]);
   s = mesh::make_surface(s.position, turned);
-  for (const double c : concavity(s, 0.15, false, Executor(1))) CHECK(c == doctest::Approx(0.25).epsilon(0.03));
-  for (const double c : concavity(s, 0.15, true, Executor(1))) CHECK(c == 0);
+  for (const double c : concavity(s, 0.15, false, Executor(1)).vertex) CHECK(c == doctest::Approx(0.25).epsilon(0.03));
+  for (const double c : concavity(s, 0.15, true, Executor(1)).vertex) CHECK(c == 0);
 }
 
 TEST_CASE("a torus: 1/r across, cos / rho around") {
@@ -58,7 +58,7 @@ TEST_CASE("a torus: 1/r across, cos / rho around") {
 TEST_CASE("a valley between two planes is concave along its bottom and nowhere else") {
   const double slope = 1;  // a dihedral of 90 degrees
   const Surface s = forms::terrain(10, 10, 40, 40, [&](double x, double) { return slope * std::abs(x - 5); });
-  const Vec<double> c = concavity(s, 0.15, false, Executor(1));
+  const Vec<double> c = concavity(s, 0.15, false, Executor(1)).vertex;
   for (Index v = 0; v < s.vertices(); ++v) {
     const double away = std::abs(s.position[v].x() - 5);
     if (away < 1e-9 && !s.on_boundary[v])
@@ -67,7 +67,7 @@ TEST_CASE("a valley between two planes is concave along its bottom and nowhere e
   }
   // A ridge is not concave.
   const Surface ridge = forms::terrain(10, 10, 40, 40, [&](double x, double) { return -slope * std::abs(x - 5); });
-  const Vec<double> none = concavity(ridge, 0.15, false, Executor(1));
+  const Vec<double> none = concavity(ridge, 0.15, false, Executor(1)).vertex;
   for (Index v = 0; v < ridge.vertices(); ++v)
     if (!ridge.on_boundary[v]) CHECK(none[v] < 0.05);
 }
