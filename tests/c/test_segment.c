@@ -58,11 +58,13 @@ static void proposed_clicks_cover_every_group(void) {
   REQUIRE_STATUS(ts_features_get_groups(s.features, NULL, 0, &groups), TS_OK);
   CHECK(n >= groups / 2 && n <= groups / 2 + 1);
   CHECK(tooth_count(segmentation) == 0 && click_count(segmentation) == 0);
+  CHECK_STATUS(ts_propose_clicks(segmentation, clicks, n - 1, &i), TS_E_BUFFER_TOO_SMALL);
   REQUIRE_STATUS(ts_segment_clicks(segmentation, clicks, n, NULL, statuses), TS_OK);
   for (i = 0; i < n; ++i) CHECK_STATUS(statuses[i], TS_OK);
   CHECK(tooth_count(segmentation) == groups);
   CHECK(click_count(segmentation) == n);
-  CHECK_STATUS(ts_propose_clicks(segmentation, clicks, n - 1, &n), TS_E_BUFFER_TOO_SMALL);
+  CHECK_STATUS(ts_propose_clicks(segmentation, clicks, n, &n), TS_OK);
+  CHECK(n == 0);
   free(statuses);
   free(clicks);
   ts_segmentation_destroy(segmentation);
@@ -200,13 +202,15 @@ static void batches_of_nothing_and_of_nonsense(void) {
   ts_segmentation *segmentation = fresh();
   double clicks[6] = {0, 0, 0, 0, 0, 0};
   ts_status statuses[2] = {TS_OK, TS_OK};
-  clicks[0] = (double)NAN;
-  memcpy(clicks + 3, far_away, sizeof far_away);
+  memcpy(clicks, far_away, sizeof far_away);
+  clicks[3] = (double)NAN;
   CHECK_STATUS(ts_segment_clicks(segmentation, NULL, 0, NULL, NULL), TS_OK);
+  CHECK_STATUS(ts_segment_clicks(segmentation, clicks, 2, NULL, statuses), TS_E_INVALID_ARGUMENT);
+  CHECK(statuses[0] == TS_OK && statuses[1] == TS_OK); /* untouched */
+  memcpy(clicks + 3, far_away, sizeof far_away);
   CHECK_STATUS(ts_segment_clicks(segmentation, clicks, 2, NULL, NULL), TS_OK);
   CHECK_STATUS(ts_segment_clicks(segmentation, clicks, 2, NULL, statuses), TS_OK);
-  CHECK_STATUS(statuses[0], TS_E_INVALID_ARGUMENT);
-  CHECK_STATUS(statuses[1], TS_E_CLICK_OFF_SURFACE);
+  CHECK(statuses[0] == TS_E_CLICK_OFF_SURFACE && statuses[1] == TS_E_CLICK_OFF_SURFACE);
   CHECK(click_count(segmentation) == 0 && tooth_count(segmentation) == 0);
   ts_segmentation_destroy(segmentation);
 }
