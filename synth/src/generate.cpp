@@ -29,13 +29,16 @@ double area(const TriMesh &mesh, const std::vector<uint8_t> &counted) {
   return sum;
 }
 
-TriMesh surface(const Dentition &dentition, uint32_t triangles) {
+// Empty if its Euler characteristic is not the one given, unless it is wanted anyway.
+TriMesh surface(const Dentition &dentition, uint32_t triangles, int64_t euler, bool anyway) {
   constexpr double kSurplus = 1.7;  // triangles of the grid for one of the result: enough to get rid of its slivers
   constexpr double kTrial = 0.8;
   const TriMesh trial = polygonise(dentition, kTrial);
   const auto inTrial = withinTrim(dentition, trial);
   const double found = static_cast<double>(std::count(inTrial.begin(), inTrial.end(), 1));
   TriMesh fine = polygonise(dentition, kTrial * std::sqrt(found / (kSurplus * triangles)));
+  // Remeshing keeps the handles, so that they are looked for before it.
+  if (!anyway && eulerCharacteristic(trimmed(fine, [&](Vec3 p) { return dentition.trim(p); })) != euler) return {};
   const auto counted = withinTrim(dentition, fine);
   const double edge = std::sqrt(4 / std::sqrt(3.0) * area(fine, counted) / triangles);
 
@@ -89,13 +92,13 @@ bool findTip(const Dentition &dentition, const PlacedTooth &tooth, const Tip &ti
 
 Arch generate(const Settings &settings) {
   // A narrow tunnel under a contact has no place on a scan: bridge more until there is none.
-  constexpr double kBridging[] = {1, 1.3, 1.7, 2.2};
+  constexpr double kBridging[] = {1, 1.6, 2.6, 4.2};
   Arch arch;
   std::optional<Dentition> made;
   for (const double bridging : kBridging) {
     made.emplace(settings, bridging);
-    arch.mesh = surface(*made, settings.triangles);
-    if (eulerCharacteristic(arch.mesh) == (settings.base ? 2 : 1)) break;
+    arch.mesh = surface(*made, settings.triangles, settings.base ? 2 : 1, bridging == kBridging[3]);
+    if (!arch.mesh.faces.empty()) break;
   }
   const Dentition &dentition = *made;
   for (const auto &t : arch.mesh.faces)

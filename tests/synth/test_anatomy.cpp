@@ -47,7 +47,7 @@ TEST_CASE("neighbours touch") {
 }
 
 TEST_CASE("gum line and contacts run in concave creases") {
-  const ArchMesh m = make(archOptions(TSA_JAW_LOWER, 60000));
+  const ArchMesh m = make(archOptions(TSA_JAW_LOWER, 40000));
   double concave[2] = {0, 0}, all[2] = {0, 0};
   for (const auto &[e, s] : m.edges()) {
     if (s.faces != 2 || m.labels[s.up] == m.labels[s.down]) continue;

@@ -138,7 +138,7 @@ TEST_CASE("every crowding is a valid arch with all its teeth") {
 }
 
 TEST_CASE("noise has the strength asked for") {
-  tsa_options o = archOptions(TSA_JAW_LOWER, 20000);
+  tsa_options o = archOptions(TSA_JAW_LOWER, 10000);
   const ArchMesh clean = make(o);
   o.noise = 0.2;
   const ArchMesh along = make(o);
