@@ -92,12 +92,12 @@ bool findTip(const Dentition &dentition, const PlacedTooth &tooth, const Tip &ti
 
 Arch generate(const Settings &settings) {
   // A narrow tunnel under a contact has no place on a scan: bridge more until there is none.
-  constexpr double kBridging[] = {1, 1.6, 2.6, 4.2};
+  constexpr double kBridging[] = {1, 1.15, 1.3, 1.5, 1.7, 2.2, 3, 4.2};
   Arch arch;
   std::optional<Dentition> made;
   for (const double bridging : kBridging) {
     made.emplace(settings, bridging);
-    arch.mesh = surface(*made, settings.triangles, settings.base ? 2 : 1, bridging == kBridging[3]);
+    arch.mesh = surface(*made, settings.triangles, settings.base ? 2 : 1, bridging == kBridging[7]);
     if (!arch.mesh.faces.empty()) break;
   }
   const Dentition &dentition = *made;

@@ -24,9 +24,11 @@ Profile::Profile(const std::vector<double> &at, const std::vector<double> &value
 
 namespace {
 
-// Of the free gingiva: thickness at its edge, what that gains down to the neck, height, depth of the neck below
-// the edge, and rounding of the edge, mm; how
-// much it falls outwards from a right angle to the crown, mm a mm.
+// Of the free gingiva, mm: thickness at its edge, what that gains down to the neck, height of what goes straight on,
+// depth of the neck below the edge, rounding of the edge; and how much the edge falls outwards from a right angle to
+// the crown, mm a mm. Chosen by bench_concavity against two real scans of 0.3 mm edges: there the gum line is the
+// valley (median concavity 1.9 to 2.6 a mm, here 1.0 to 1.9) and the gingiva 0.8 to 2 mm below it is hardly concave
+// (median 0.01 to 0.03, here 0.00 to 0.03).
 constexpr double kMarginThickness = 0.75, kThickening = 0.4, kFreeGingiva = 0.8, kNeck = 4.5, kMarginRounding = 0.8;
 constexpr double kMarginFall = 0.4;
 
