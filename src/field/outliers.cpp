@@ -1,7 +1,20 @@
 #include "field/outliers.h"
 
+#include <algorithm>
+
 namespace ts::field {
 namespace {
+
+// Of 663 points found on 15 labelled scans 6 lie on gingiva: convexity .16 to .18, five with a conductance to the
+// gingiva of .65 to 1.2 (weights are at most 1, so it has no unit and hardly depends on the mesh). Points on crowns: at
+// most .29 where the convexity is under .2.
+constexpr double kFlat = 0.2, kOpen = 0.45;
+
+// By how much a flat point's conductance to the gingiva is more than that of a point on a crown; <= 0 if it is not.
+double sunk(const Eigen::MatrixXd &s, const Nodes &nodes, std::size_t i, double convexity) {
+  if (nodes.gingiva == mesh::none || !(convexity > 0 && convexity < kFlat)) return 0;
+  return -s(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(nodes.gingiva)) - kOpen;
+}
 
 // By how much another tooth's share of node i's conductance exceeds its own tooth's; <= 0 if i is no outlier.
 double excess(const Eigen::MatrixXd &s, const Nodes &nodes, const Vec<std::uint8_t> &freed, std::size_t i,
@@ -22,7 +35,7 @@ double excess(const Eigen::MatrixXd &s, const Nodes &nodes, const Vec<std::uint8
 
 }  // namespace
 
-Vec<std::uint8_t> find_outliers(const Solver &solver, const Nodes &nodes) {
+Vec<std::uint8_t> find_outliers(const Solver &solver, const Nodes &nodes, std::span<const double> convexity) {
   Eigen::MatrixXd s = solver.schur();
   Vec<Index> members(nodes.groups, 0);
   for (const Index g : nodes.group)
@@ -34,7 +47,7 @@ Vec<std::uint8_t> find_outliers(const Solver &solver, const Nodes &nodes) {
     double most = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (freed[i] || nodes.group[i] == gingiva_group || members[nodes.group[i]] < 2) continue;
-      const double e = excess(s, nodes, freed, i, to);
+      const double e = std::max(excess(s, nodes, freed, i, to), sunk(s, nodes, i, convexity[nodes.point[i]]));
       if (e > most) most = e, worst = i;
     }
     if (!(most > 0)) return freed;

@@ -48,13 +48,15 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   p.rejected.resize(p.groups);
 
   Stopwatch watch;
-  Vec<Index> place;  // of each site in its Group::points
+  Vec<Index> place;       // of each site in its Group::points
+  Vec<double> convexity;  // of each site
   p.sites.groups = p.groups;
   for (Index g = 0; g < p.groups; ++g)
     for (const Index i : spread(features.groups[g], options.points_per_group)) {
       p.sites.point.push_back(features.groups[g].points[i].vertex);
       p.sites.group.push_back(g);
       place.push_back(i);
+      convexity.push_back(features.groups[g].points[i].convexity);
     }
   if (p.sites.point.empty()) throw Error(Fault::no_constraint, "no feature group has a point: nothing to separate");
 
@@ -81,7 +83,8 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
       surface, p.sites,
       {options.seed_radius, options.background != Background::neighbour || !several, options.gingiva_distance});
   p.solver = std::make_unique<field::Solver>(surface, weight, p.nodes, progress.part(0.3, 1, "factorisation"));
-  p.outlier = options.reject_outliers ? field::find_outliers(*p.solver, p.nodes) : Vec<std::uint8_t>(p.nodes.size(), 0);
+  p.outlier = options.reject_outliers ? field::find_outliers(*p.solver, p.nodes, convexity)
+                                      : Vec<std::uint8_t>(p.nodes.size(), 0);
 
   p.group_at.assign(surface.vertices(), mesh::none);
   for (Index i = 0; i < p.sites.point.size(); ++i) {

@@ -178,8 +178,24 @@ TEST_CASE("a point on the wrong side of a seam is an outlier; the points on thei
   const auto at = [](Index i, Index j) { return j * 49 + i; };
   const Sites sites{{at(8, 6), at(8, 18), at(14, 12), at(34, 12), at(40, 6), at(40, 18)}, {0, 0, 0, 0, 1, 1}, 2};
   const Nodes nodes = make_nodes(s, sites, {0.7, false, 13});
-  const Vec<std::uint8_t> outlier = find_outliers(Solver(s, w, nodes), nodes);
+  const Vec<std::uint8_t> outlier = find_outliers(Solver(s, w, nodes), nodes, Vec<double>(6, 0.3));
   CHECK(outlier == Vec<std::uint8_t>{0, 0, 0, 1, 0, 0});
   const Nodes right = make_nodes(s, {sites.point, {0, 0, 0, 1, 1, 1}, 2}, {0.7, false, 13});
-  CHECK(find_outliers(Solver(s, w, right), right) == Vec<std::uint8_t>(6, 0));
+  CHECK(find_outliers(Solver(s, w, right), right, Vec<double>(6, 0.3)) == Vec<std::uint8_t>(6, 0));
+}
+
+TEST_CASE("a flat point with no seam between it and the gingiva is freed; a cusp there, or one set by hand, is not") {
+  const mesh::Surface s = forms::plane(40, 6, 160, 24);  // a tooth up to x = 6, gingiva for certain near the far end
+  Vec<double> w(s.edge.size(), 1);
+  for (Index e = 0; e < w.size(); ++e)
+    if (std::abs((s.position[s.edge[e][0]].x() + s.position[s.edge[e][1]].x()) / 2 - 6.1) < 0.2) w[e] = 1e-3;
+  const auto at = [](Index i, Index j) { return j * 161 + i; };
+  const Sites sites{{at(8, 6), at(8, 18), at(40, 12)}, {0, 0, 0}, 1};
+  const Nodes nodes = make_nodes(s, sites, {0.7, true, 13});
+  REQUIRE(nodes.gingiva != mesh::none);
+  const Solver solver(s, w, nodes);
+  const auto freed = [&](double convexity) { return find_outliers(solver, nodes, Vec<double>{0.15, 0.15, convexity}); };
+  CHECK(freed(0.15) == Vec<std::uint8_t>{0, 0, 1, 0});
+  CHECK(freed(0.30) == Vec<std::uint8_t>{0, 0, 0, 0});
+  CHECK(freed(0.0) == Vec<std::uint8_t>{0, 0, 0, 0});
 }
