@@ -45,7 +45,8 @@ Index group_of(const ts_segmentation *s, uint32_t id) {
 }
 
 const Tooth &find_tooth(const ts_segmentation *s, uint32_t id) {
-  return *s->session.tooth(group_of(s, id));
+  const Index group = group_of(s, id);  // looks first whether there is an s
+  return *s->session.tooth(group);
 }
 
 std::shared_ptr<const ClickView> view_of(const ts_segmentation *s, uint32_t click) {
