@@ -63,6 +63,8 @@ def group_figures(groups, ref):
 
 
 def majority(on):
+    """The tooth that most of a group's points lie on; 0 if all lie on gingiva."""
+    on = [t for t in on if t]
     return max(set(on), key=on.count) if on else 0
 
 
