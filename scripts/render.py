@@ -32,7 +32,7 @@ PLY_TYPES = {"char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1", "short": 
 
 
 def read_ply(path):
-    """points, faces, per-face colours or None, per-vertex colours or None."""
+    """points, faces, per-face colours or None, per-vertex colours or None, labels of the faces or None."""
     with open(path, "rb") as f:
         data = f.read()
     end = data.find(b"end_header")
@@ -88,7 +88,8 @@ def read_ply(path):
     if v is None or t is None:
         fail(f"{path}: no vertices or no faces")
     points = np.stack([v["x"], v["y"], v["z"]], 1).astype(float)
-    return points, t["corners"].astype(np.int64), colours(t), colours(v)
+    labels = t["label"].astype(np.int64) if "label" in t.dtype.names else None
+    return points, t["corners"].astype(np.int64), colours(t), colours(v), labels
 
 
 def read_cuts(path):
@@ -346,7 +347,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("mesh", help="PLY with triangles; colours a face or a vertex are used unless --labels is given")
     parser.add_argument("out", help="PNG")
-    parser.add_argument("--labels", help="text, an integer a face, 0 = gingiva: colours and numbers")
+    parser.add_argument("--labels", help="text, an integer a face, 0 = gingiva, for colours and numbers; else a face property `label` is taken for the numbers")
     parser.add_argument("--cuts", help="OBJ with polylines (v and l records)")
     parser.add_argument("--up", type=direction, default=np.array([0., 0, 1]), metavar="X,Y,Z", help="occlusal direction")
     parser.add_argument("--front", type=direction, metavar="X,Y,Z", help="towards the incisors; found if not given")
@@ -359,8 +360,7 @@ def main():
     parser.add_argument("--size", type=int, default=720, help="height of the views in pixels")
     args = parser.parse_args()
 
-    points, faces, face_colour, vertex_colour = read_ply(args.mesh)
-    labels = None
+    points, faces, face_colour, vertex_colour, labels = read_ply(args.mesh)
     if args.labels:
         labels = np.loadtxt(args.labels, dtype=np.int64, ndmin=1)
         if len(labels) != len(faces):
