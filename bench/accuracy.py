@@ -2,8 +2,9 @@
 """The accuracy table: ts-segment on the labelled real scans, clicks and scores from the one scorer.
 
     accuracy.py [--tool build/release/samples/ts-segment] [--scans ../shared/data/scans] [--scorer ../shared/tools/score_labels.py]
-                [--presets default,paper] [--modes auto,pairs,each] [--seeds 1,2,3] [--only SUBSTRING] [--json OUT] [--markdown OUT] [--jobs 2]
+                [--presets default,paper] [--ablate] [--modes auto,pairs,each] [--seeds 1,2,3] [--only SUBSTRING] [--json OUT] [--markdown OUT] [--jobs 2]
 
+--ablate: the default preset with each of its steps off in turn, clicks by ts-segment.
 Modes: auto (ts-segment clicks for itself), pairs (N/2 clicks), each (a click a tooth).
 Figures a scan: teeth; groups right (the tooth owns exactly one group, and that group no other tooth), split (more than
 one), merged (one shared), missed (none), false (groups without a tooth); clicks that took the tooth under them; IoU
@@ -68,13 +69,32 @@ def majority(on):
     return max(set(on), key=on.count) if on else 0
 
 
+# Each step of the default preset turned off, or back to what the paper has.
+ABLATIONS = {
+    "weights of Eq. 8, theta 0.2": ["weights=1", "beta=0.01"],
+    "cotangent weights (ref. 39)": ["weights=2"],
+    "uniform weights": ["weights=3"],
+    "seeds: one vertex": ["seed_radius=0"],
+    "background: gingiva and the neighbour only": ["background=1"],
+    "background: the neighbour only": ["background=0"],
+    "one point a tooth": ["points_per_group=1"],
+    "level: half way": ["cut_rule=2"],
+    "level: the paper's largest gradient": ["cut_rule=0"],
+    "no minimum cut": ["refine_band=0"],
+    "holes left open": ["hole_area=0"],
+    "outliers kept": ["reject_outliers=0"],
+    "clicks by plain distance": ["click_concavity=0"],
+}
+
+
 def run(options, scan, preset, mode, seed):
     scorer = load_scorer(options.scorer)
     folder = os.path.join(options.scans, scan)
     v, f = scorer.read_ply(folder + "/mesh.ply")
     ref = np.loadtxt(folder + "/face_labels.txt", dtype=int)
     with tempfile.TemporaryDirectory() as tmp:
-        command = [options.tool, folder + "/mesh.ply", "--preset", preset, "--labels", tmp + "/labels.txt",
+        settings = [x for s in ABLATIONS.get(preset, []) for x in ("--set", s)]
+        command = [options.tool, folder + "/mesh.ply", "--preset", "default" if settings else preset, *settings, "--labels", tmp + "/labels.txt",
                    "--report", tmp + "/report.json", "--features", tmp + "/features.json", "--threads", "1"]
         clicked = None
         if mode != "auto":
@@ -146,6 +166,11 @@ def calibration(runs):
             "right_of_all": sum(i >= 0.8 for i in everyone) / max(1, len(everyone))}
 
 
+def ablation_table(results):
+    names = list(dict.fromkeys(r["preset"] for r in results))
+    return table([(n, row([r for r in results if r["preset"] == n])) for n in names])
+
+
 def summarise(results, options):
     text = []
     good = [r for r in results if "error" not in r]
@@ -194,6 +219,7 @@ def main():
     a.add_argument("--scans", default=ROOT + "/../shared/data/scans")
     a.add_argument("--scorer", default=ROOT + "/../shared/tools/score_labels.py")
     a.add_argument("--presets", default="default,paper")
+    a.add_argument("--ablate", action="store_true")
     a.add_argument("--modes", default="auto,pairs,each")
     a.add_argument("--seeds", default="1,2,3")
     a.add_argument("--only", default="")
@@ -202,6 +228,8 @@ def main():
     a.add_argument("--jobs", type=int, default=os.cpu_count())
     o = a.parse_args()
     o.presets, o.modes = o.presets.split(","), o.modes.split(",")
+    if o.ablate:
+        o.presets, o.modes = ["default", *ABLATIONS], ["auto"]
     if not os.path.isdir(o.scans):
         sys.exit("accuracy.py: no scans at %s: this benchmark needs labelled scans" % o.scans)
     scans = [s for s in sorted(os.listdir(o.scans))
@@ -210,7 +238,7 @@ def main():
             for k in ([1] if m == "auto" else [int(x) for x in o.seeds.split(",")])]
     with concurrent.futures.ProcessPoolExecutor(o.jobs) as pool:
         results = list(pool.map(run, [o] * len(work), *zip(*work)))
-    text = summarise(results, o)
+    text = ablation_table([r for r in results if "error" not in r]) if o.ablate else summarise(results, o)
     print(text)
     if o.json:
         json.dump(results, open(o.json, "w"), indent=1)

@@ -18,6 +18,7 @@ static const char help[] =
     "                    that begin with # are ignored\n"
     "  --auto            the fewest clicks that cover all teeth found (the default)\n"
     "  --preset NAME     default, or paper: the paper to the letter\n"
+    "  --set NAME=VALUE  any number of ts_segment_options (toothseg.h), over the preset; may be given often\n"
     "  --unit UNIT       unit of the scan: mm, cm, m or inch; what is written is in mm. Without it the scan is\n"
     "                    taken to be in mm, and refused if its size says otherwise\n"
     "  --threads N       worker threads; 0: one a core (the default). The result does not depend on it\n"
@@ -65,6 +66,12 @@ static int parse_threads(const char *text, uint32_t *threads) {
   return 1;
 }
 
+static int parse_setting(options *o, const char *text) {
+  if (o->setting_count == SETTINGS_MOST) return complain("--set %s: more than %d of them", text, SETTINGS_MOST);
+  o->settings[o->setting_count++] = text;
+  return settings_apply(text, NULL);
+}
+
 /* The place where a file name given to `option` goes; NULL for any other option. */
 static const char **file_of(options *o, const char *option) {
   if (strcmp(option, "--clicks") == 0) return &o->clicks;
@@ -79,12 +86,13 @@ static const char **file_of(options *o, const char *option) {
 static int parse_valued(options *o, const char *option, const char *value) {
   const char **file = file_of(o, option);
   const int known = file != NULL || strcmp(option, "--preset") == 0 || strcmp(option, "--unit") == 0 ||
-                    strcmp(option, "--threads") == 0;
+                    strcmp(option, "--threads") == 0 || strcmp(option, "--set") == 0;
   if (!known) return complain("%s: unknown option (--help lists all)", option);
   if (value == NULL || value[0] == '\0') return complain("%s: a value is missing", option);
   if (strcmp(option, "--preset") == 0) return parse_preset(value, &o->preset);
   if (strcmp(option, "--unit") == 0) return parse_unit(value, &o->unit);
   if (strcmp(option, "--threads") == 0) return parse_threads(value, &o->threads);
+  if (strcmp(option, "--set") == 0) return parse_setting(o, value);
   *file = value;
   return 1;
 }

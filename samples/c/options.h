@@ -2,7 +2,7 @@
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
-#include <toothseg.h>
+#include "settings.h"
 
 typedef struct options {
   const char *scan;
@@ -11,6 +11,8 @@ typedef struct options {
   ts_preset preset;
   ts_unit unit;
   uint32_t threads;
+  const char *settings[SETTINGS_MOST]; /* NAME=VALUE of ts_segment_options, over the preset */
+  int setting_count;
 } options;
 
 typedef enum options_result { OPTIONS_RUN, OPTIONS_DONE, OPTIONS_BAD } options_result;

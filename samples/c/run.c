@@ -30,7 +30,9 @@ static ts_status load(const options *o, ts_context *context, ts_model **out) {
 static ts_status prepare(const options *o, const ts_features *features, ts_segmentation **out) {
   ts_segment_options segment;
   ts_status status = ts_segment_options_init(&segment, sizeof segment, o->preset);
+  int i;
   if (status != TS_OK) return status;
+  for (i = 0; i < o->setting_count; ++i) settings_apply(o->settings[i], &segment);
   return ts_segmentation_create(features, &segment, NULL, out);
 }
 
