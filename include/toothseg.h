@@ -12,7 +12,8 @@
  *   Indices      0-based, uint32_t. TS_NONE means "none".
  *   Arrays       C-contiguous, owned by whoever allocated them. The library copies what it is given before a call
  *                returns and never keeps a caller's pointer (hooks and their `user` pointers excepted).
- *                Getters fill a buffer of the caller's: pass NULL and capacity 0 to learn the number of elements.
+ *                Getters fill a buffer of the caller's: pass NULL and capacity 0 to learn the number of elements;
+ *                `count` may be NULL when a buffer is given.
  *   Strings      UTF-8, zero-terminated. What the library returns as const char * stays its own; how long it lives
  *                is said at the function.
  *   Errors       Every function that can fail returns ts_status; TS_OK is 0. On failure all out-parameters and all
@@ -500,7 +501,8 @@ typedef struct ts_click_times {
 typedef struct ts_click_info {
   uint32_t struct_size;
   uint32_t target;           /**< tooth clicked: id of its group */
-  uint32_t neighbour;        /**< tooth separated with it; TS_NONE if there is but one */
+  uint32_t neighbour;        /**< tooth beside it; TS_NONE if there is but one. Where no cut was found for it,
+                                  ts_get_tooth says TS_E_NOT_FOUND: the tooth clicked stands alone */
   double position[3];        /**< the surface point taken, mm */
   double target_distance;    /**< along the surface to the closest point of each, in the metric of the options */
   double neighbour_distance;
