@@ -1,15 +1,23 @@
 #include "features/detect.h"
 
+#include <string>
+
 #include "features/analysis.h"
 #include "features/points.h"
 #include "features/weights.h"
 
 namespace ts::features {
+namespace {
+
+constexpr double kLargest = 400;  // mm: what intake takes for a scan in mm, a tray with both plaster bases
+
+}  // namespace
 
 Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, const Executor &executor,
                  const Progress &progress) {
   constexpr double spacing = 0.5;  // of the area samples, mm: a quarter of the default radius
-  const Vec<geometry::Sample> samples = geometry::area_samples(surface, spacing);
+  const geometry::Frame frame = geometry::principal_frame(surface);
+  const Vec<geometry::Sample> samples = geometry::area_samples(surface, spacing, frame);
   if (samples.empty()) throw Error(Fault::no_teeth, "the surface has no area");
   progress(0.2);
   const geometry::SampleBins bins(samples, 1.0);
@@ -18,7 +26,7 @@ Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, con
   const Vec<double> cv = geometry::convexity(bins, position, {}, options.radius, executor);
   progress(0.5);
   const Orientation looks = orientation(samples, cv, options.occlusal);
-  const Plan plan(looks.occlusal, samples.front().position);
+  const Plan plan(looks.occlusal, frame);
   const ArchCurve curve = arch_curve(samples, cv, looks.inside_out, plan);
   const TopView view(surface, plan, looks.inside_out);
   progress(0.7);
@@ -52,6 +60,9 @@ Features divide(const mesh::Surface &surface, const Analysis &a, const Weights &
 
 Features detect(const mesh::Surface &surface, const DetectOptions &options, const Executor &executor,
                 const Progress &progress) {
+  // Sampled at a physical spacing, a surface of that size would cost as much as it is large.
+  if (surface.diagonal > kLargest)
+    throw Error(Fault::no_teeth, "the surface is " + std::to_string(surface.diagonal) + " mm across: no jaw is");
   const Analysis a = analyse(surface, options, executor, progress.part(0, 0.95, "features"));
   Features found = divide(surface, a, fitted_weights, options);
   progress(1);

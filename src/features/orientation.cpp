@@ -44,12 +44,14 @@ Orientation orientation(std::span<const geometry::Sample> samples, std::span<con
   return o;
 }
 
-Plan::Plan(const Vec3 &occlusal, const Vec3 &at) : d(occlusal), origin(at) {
-  int least = 0;
+Plan::Plan(const Vec3 &occlusal, const geometry::Frame &frame) : d(occlusal), origin(frame.origin) {
+  int along = 0;  // the axis that d lies along most is of no use
   for (int k = 1; k < 3; ++k)
-    if (std::abs(d[k]) < std::abs(d[least])) least = k;
-  u = Vec3::Unit(least).cross(d).normalized();
+    if (std::abs(d.dot(frame.axis[k])) > std::abs(d.dot(frame.axis[along]))) along = k;
+  const Vec3 &first = frame.axis[along == 0 ? 1 : 0], &second = frame.axis[along == 2 ? 1 : 2];
+  u = (first - first.dot(d) * d).normalized();
   v = d.cross(u);
+  if (v.dot(second) < 0) v = -v;
 }
 
 }  // namespace ts::features

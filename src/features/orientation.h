@@ -21,12 +21,13 @@ struct Orientation {
 Orientation orientation(std::span<const geometry::Sample> samples, std::span<const double> convexity,
                         const Vec3 &given);
 
-// Plan view along the occlusal direction: u, v and the height d, right-handed.
+// Plan view along the occlusal direction: u, v and the height d. u and v follow the axes of the surface's own frame, so
+// that what is measured on grids does not depend on the pose; a mirrored surface has the mirrored, left-handed plan.
 struct Plan {
   Vec3 u, v, d, origin;
 
   Plan() = default;
-  Plan(const Vec3 &occlusal, const Vec3 &at);
+  Plan(const Vec3 &occlusal, const geometry::Frame &frame);
   Vec3 of(const Vec3 &p) const {
     const Vec3 q = p - origin;
     return {q.dot(u), q.dot(v), q.dot(d)};

@@ -97,12 +97,11 @@ void split(const Corners &whole, double limit, Vec<std::pair<Corners, double>> &
 
 }  // namespace
 
-Vec<Sample> area_samples(const mesh::Surface &surface, double spacing) {
+Vec<Sample> area_samples(const mesh::Surface &surface, double spacing, const Frame &frame) {
   CubeMap cubes;
-  if (surface.position.empty()) return cubes.means();
-  Vec3 low = surface.position[0];
-  for (const Vec3 &p : surface.position) low = low.cwiseMin(p);
   constexpr double most = (1 << cell_bits) - 1;
+  // Half a cube aside, so that a flat surface lies within a layer of cubes, not between two.
+  constexpr double middle = (1 << (cell_bits - 1)) + 0.5;
   Vec<std::pair<Corners, double>> stack;
   for (std::size_t f = 0; f < surface.faces(); ++f) {
     const auto [i, j, k] = surface.triangle[f];
@@ -110,9 +109,10 @@ Vec<Sample> area_samples(const mesh::Surface &surface, double spacing) {
     if (!(area > 0)) continue;
     const Corners corners{{surface.position[i], surface.position[j], surface.position[k]}};
     split(corners, spacing, stack, [&](const Vec3 &p, double share) {
+      const Vec3 q = frame.of(p) / spacing;
       std::uint64_t key = 0;
       for (int c = 0; c < 3; ++c)
-        key = key << cell_bits | static_cast<std::uint64_t>(std::clamp((p[c] - low[c]) / spacing, 0.0, most));
+        key = key << cell_bits | static_cast<std::uint64_t>(std::clamp(q[c] + middle, 0.0, most));
       Sample &s = cubes.at(key);
       s.position += area * share * p;
       s.normal += area * share * surface.face_normal[f];

@@ -3,11 +3,9 @@
 
 #include <span>
 
-#include "mesh/surface.h"
+#include "geometry/frame.h"
 
 namespace ts::geometry {
-
-using mesh::Vec3;
 
 struct Sample {
   Vec3 position = Vec3::Zero();
@@ -17,7 +15,11 @@ struct Sample {
 
 // One sample a cube of edge `spacing` that the surface passes through, in the order of the cubes. Triangles are halved
 // at their longest edge until none is longer than the spacing, so that a huge base triangle counts like a fine mesh.
-Vec<Sample> area_samples(const mesh::Surface &surface, double spacing);
+// The cubes stand along the axes of `frame`: the surface's own give a moved surface the moved samples.
+Vec<Sample> area_samples(const mesh::Surface &surface, double spacing, const Frame &frame);
+inline Vec<Sample> area_samples(const mesh::Surface &surface, double spacing) {
+  return area_samples(surface, spacing, principal_frame(surface));
+}
 
 // Samples in bins, for the sums over balls.
 class SampleBins {

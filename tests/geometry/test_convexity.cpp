@@ -115,3 +115,32 @@ TEST_CASE("convexity does not depend on resolution, pose or threads") {
     CHECK(std::abs(a[i] - c[i]) < 0.02);
   }
 }
+
+TEST_CASE("the samples of a turned, moved or mirrored surface are the turned, moved or mirrored samples") {
+  const auto bumps = [](double x, double y) { return 0.7 * std::sin(x) * std::cos(0.6 * y + 0.3) + 0.004 * x * x * y; };
+  const Surface s = graph(9, 60, bumps);
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()) * Eigen::AngleAxisd(-2.0, Vec3::UnitZ())).toRotationMatrix();
+  Eigen::Matrix3d mirror = turn;
+  mirror.col(0) *= -1;
+  const Vec3 shift(31, -7, 110);
+  const Vec<Sample> before = geometry::area_samples(s, 0.5);
+  for (const Eigen::Matrix3d &m : {turn, mirror}) {
+    Vec<Vec3> p;
+    for (const Vec3 &q : s.position) p.push_back(m * q + shift);
+    Vec<mesh::Triangle> t = s.triangle;
+    if (m.determinant() < 0)
+      for (auto &corners : t) std::swap(corners[1], corners[2]);
+    const Surface moved = mesh::make_surface(p, t);
+    const geometry::Frame frame = geometry::principal_frame(s), other = geometry::principal_frame(moved);
+    CHECK((m * frame.origin + shift - other.origin).norm() < 1e-9);
+    for (int k = 0; k < 3; ++k) CHECK((m * frame.axis[k] - other.axis[k]).norm() < 1e-9);
+    const Vec<Sample> after = geometry::area_samples(moved, 0.5);
+    REQUIRE(after.size() == before.size());
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      REQUIRE((m * before[i].position + shift - after[i].position).norm() < 1e-9);
+      REQUIRE((m * before[i].normal - after[i].normal).norm() < 1e-9);
+      REQUIRE(after[i].area == doctest::Approx(before[i].area));
+    }
+  }
+}
