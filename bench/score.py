@@ -43,7 +43,11 @@ def read_ply(path):
 
 
 def areas(v, f):
+    """mm^2 a face."""
     return np.linalg.norm(np.cross(v[f[:, 1]] - v[f[:, 0]], v[f[:, 2]] - v[f[:, 0]]), axis=1) / 2
+
+
+face_areas = areas
 
 
 def match(area, reference, predicted):
@@ -62,6 +66,38 @@ def match(area, reference, predicted):
         left[i, :], left[:, j] = 0, 0
     false = int((iou.max(0) < 0.3).sum()) if len(teeth) and len(parts) else len(parts)
     return teeth, got, dice, false
+
+
+def score(v, f, reference, predicted):
+    """The figures of a whole arch; border distances are left to the scorer of the real scans."""
+    teeth, iou, dice, false = match(areas(v, f), reference, predicted)
+    return {"teeth": len(teeth), "iou_mean": iou.mean(), "iou_min": iou.min(), "dice_mean": dice.mean(),
+            "share_090": (iou >= 0.9).mean(), "missed": int((iou < 0.5).sum()), "false": false,
+            "edge_mean": float("nan"), "edge_p95": float("nan")}
+
+
+def along_arch(teeth):
+    """FDI numbers from one end of the jaw to the other: the patient's right, then left."""
+    right = sorted((t for t in teeth if t // 10 in (1, 4)), reverse=True)
+    return right + sorted(t for t in teeth if t // 10 in (2, 3))
+
+
+def make_clicks(v, f, reference, how, seed):
+    """Clicks "x y z tooth": `each` crown once, or `pairs` (N/2: on the half of a crown that faces the next tooth)."""
+    rng, area, middle = np.random.default_rng(seed), areas(v, f), v[f].mean(1)
+    order = along_arch([t for t in np.unique(reference) if t])
+    centre = {t: np.average(middle[reference == t], axis=0, weights=area[reference == t]) for t in order}
+    for k in range(0, len(order), 2 if how == "pairs" else 1):
+        tooth = order[k]
+        on = np.where(reference == tooth)[0]
+        # not at the very border of the crown
+        reach = np.linalg.norm(middle[on] - centre[tooth], axis=1)
+        on = on[reach < np.quantile(reach, 0.8)]
+        if how == "pairs":
+            other = order[k + 1] if k + 1 < len(order) else order[k - 1]
+            side = (middle[on] - centre[tooth]) @ (centre[other] - centre[tooth])
+            on = on[side >= np.median(side)]
+        print("%.5f %.5f %.5f %d" % (*middle[rng.choice(on, p=area[on] / area[on].sum())], tooth))
 
 
 def main():
