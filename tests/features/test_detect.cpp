@@ -258,6 +258,11 @@ TEST_CASE("what is no jaw has no teeth") {
   CHECK(fault_of(mesh::make_surface(p, cube)) == Fault::no_teeth);
 }
 
+TEST_CASE("a surface larger than any jaw is refused before it is sampled") {
+  const Surface s = mesh::make_surface({{0, 0, 0}, {1e5, 0, 0}, {1e5, 1e5, 0}, {0, 1e5, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  CHECK_THROWS_WITH_AS(features::detect(s, {}, Executor(1), {}), doctest::Contains("mm across: no jaw is"), Error);
+}
+
 TEST_CASE("progress rises and can cancel") {
   struct : Monitor {
     double last = 0;
