@@ -7,8 +7,6 @@
 
 namespace ts::tooth {
 
-namespace {
-
 Vec3 centre_of(const Prepared &p, Index group) {
   Vec3 sum = Vec3::Zero();
   double count = 0;
@@ -16,6 +14,8 @@ Vec3 centre_of(const Prepared &p, Index group) {
     if (p.group_at[v] == group) sum += p.surface->position[v], ++count;
   return sum / std::max(1.0, count);
 }
+
+namespace {
 
 // How far `click` lies from the target's centre towards `group`'s, mm.
 double towards(const Prepared &p, Index target, Index group, const Vec3 &click) {

@@ -22,6 +22,9 @@ struct Pick {
 // 58 %: seams cost so much in it that what is left of a distance does not tell the sides.
 Pick pick(const Prepared &prepared, const mesh::SurfacePoint &at);
 
+// Mean of the points of a group that are in use.
+Vec3 centre_of(const Prepared &prepared, Index group);
+
 // Takes the group on the other side where the neighbour is among those `separated` before and the other is not: so N/2
 // clicks along an arch take every tooth once, as the paper counts them, also where a click lies in the middle of a
 // tooth.

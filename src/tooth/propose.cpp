@@ -5,14 +5,6 @@
 namespace ts::tooth {
 namespace {
 
-Vec3 centre_of(const Prepared &p, Index group) {
-  Vec3 sum = Vec3::Zero();
-  double count = 0;
-  for (const Index v : p.sites.point)
-    if (p.group_at[v] == group) sum += p.surface->position[v], ++count;
-  return sum / count;
-}
-
 // The point of `group` that lies furthest towards `other`: a click there faces it.
 Vec3 point_towards(const Prepared &p, Index group, Index other) {
   const Vec3 towards = centre_of(p, other) - centre_of(p, group);
