@@ -185,7 +185,9 @@ Selection select_cuts(const Prepared &p, const Pick &pick, const Fields &fields)
       const bool own = own_field_decides(p.options);
       const auto level = [&](Index group, const Vec<double> &field, bool falls, double limit) {
         const Vec<double> levels = own ? Vec<double>(std::begin(kLevels), std::end(kLevels)) : levels_below(p, limit);
-        return best_level(p, rising_from(field, falls), group, levels) / (own ? 2 : 1);
+        const double best = best_level(p, rising_from(field, falls), group, levels);
+        // No border at any level: a piece of the scan that is all tooth.
+        return own ? (std::isnan(best) ? 0.5 : best) / 2 : best;
       };
       const bool two = pick.neighbour != mesh::none;
       p.executor->each(two ? 2 : 1, [&](std::size_t i) {

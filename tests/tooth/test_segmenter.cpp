@@ -305,3 +305,25 @@ TEST_CASE("a crown at the border of the scan has an open cut and says so") {
   CHECK(!c.teeth[0].loops[0].line.closed);
   CHECK((c.teeth[1].warnings & Warning::open_at_border) == 0);
 }
+
+TEST_CASE("a piece of the scan that is all tooth is taken whole") {
+  Row r = row(2);
+  const mesh::Surface crown = forms::plane(8, 8, 16, 16);
+  Vec<Vec3> position(r.surface.position);
+  Vec<mesh::Triangle> triangle(r.surface.triangle);
+  const Index first_vertex = static_cast<Index>(position.size()), first_face = static_cast<Index>(triangle.size());
+  for (const Vec3 &q : crown.position) position.push_back(q + Vec3(60, 0, 0));
+  for (const mesh::Triangle &t : crown.triangle)
+    triangle.push_back({t[0] + first_vertex, t[1] + first_vertex, t[2] + first_vertex});
+  r.surface = mesh::make_surface(std::move(position), std::move(triangle));
+  const Index middle = r.vertex_at(64, 4);
+  r.features.groups.push_back({{{middle, r.surface.position[middle], 0.3}}, 0, 0, 1});
+  const Segmenter segmenter(r.surface, r.features, default_options(), one);
+  const Click c = segmenter.click(r.at(64, 4));
+  CHECK(c.target == 2);
+  REQUIRE(!c.teeth.empty());
+  CHECK(c.teeth[0].faces.size() == crown.faces());
+  CHECK(c.teeth[0].faces.front() == first_face);
+  CHECK(c.teeth[0].loops.empty());
+  CHECK((c.teeth[0].warnings & Warning::several_loops) != 0);
+}
