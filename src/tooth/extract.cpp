@@ -78,11 +78,13 @@ double best_level(const Prepared &p, const Vec<double> &rising, Index group, std
     cut::fill_holes(surface, p.options.hole_area, foreign, inside);
     const Vec<Index> faces = cut::faces_of(inside), corners = cut::vertices_of(surface, faces);
     // The contour's part around this component: where phi is kept negative on it alone.
+    for (const Index v : corners) alone[v] = phi[v];
     Vec<Index> around;
-    for (const Index v : corners) {
-      alone[v] = phi[v];
-      around.insert(around.end(), surface.vertex_faces[v].begin(), surface.vertex_faces[v].end());
-    }
+    for (const Index v : corners)
+      for (const Index f : surface.vertex_faces[v]) {
+        const auto &t = surface.triangle[f];
+        if (alone[t[0]] >= 0 || alone[t[1]] >= 0 || alone[t[2]] >= 0) around.push_back(f);
+      }
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
     const cut::Score s = cut::score(surface, rising, p.concavity, cut::contour(surface, alone, 0, around));
