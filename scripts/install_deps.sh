@@ -3,11 +3,11 @@
 # are there. As root or through sudo.
 set -euo pipefail
 what=${1:-build}
-packages="g++ cmake ninja-build libeigen3-dev libopenmesh-dev libtbb-dev"
+packages="g++ cmake ninja-build libeigen3-dev libtbb-dev"
 case $what in
   build) ;;
   demo) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core" ;;
-  test) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core doctest-dev pkg-config valgrind" ;;
+  test) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core doctest-dev libopenmesh-dev pkg-config valgrind" ;;
   *) echo "install_deps.sh: build, demo or test, not $what" >&2; exit 2 ;;
 esac
 command -v dpkg-query >/dev/null || { echo "install_deps.sh: needs Debian's packages: $packages" >&2; exit 1; }
