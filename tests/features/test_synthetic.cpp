@@ -92,3 +92,30 @@ TEST_CASE("synthetic arches with missing teeth") {
 TEST_CASE("a synthetic arch on a plaster base") {
   check(make(TSA_JAW_UPPER, 0, 3, {}, 1));
 }
+
+TEST_CASE("the features of a turned or mirrored arch are the turned or mirrored features") {
+  const Arch arch = make(TSA_JAW_UPPER, 0.2, 4, {16}, 0);
+  const features::Features before = features::detect(arch.surface, {}, Executor(1), {});
+  Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(2.1, mesh::Vec3(1, -2, 0.5).normalized()) * Eigen::AngleAxisd(0.7, mesh::Vec3::UnitZ()))
+          .toRotationMatrix();
+  Eigen::Matrix3d mirror = turn;
+  mirror.col(0) *= -1;
+  const mesh::Vec3 shift(-140, 60, 25);
+  for (const Eigen::Matrix3d &m : {turn, mirror}) {
+    Vec<mesh::Vec3> position;
+    for (const mesh::Vec3 &p : arch.surface.position) position.push_back(m * p + shift);
+    Vec<mesh::Triangle> triangle = arch.surface.triangle;
+    if (m.determinant() < 0)
+      for (auto &corners : triangle) std::swap(corners[1], corners[2]);
+    const features::Features after =
+        features::detect(mesh::make_surface(std::move(position), std::move(triangle)), {}, Executor(1), {});
+    CHECK((m * before.occlusal - after.occlusal).norm() < 1e-9);
+    REQUIRE(after.groups.size() == before.groups.size());
+    for (std::size_t g = 0; g < after.groups.size(); ++g) {
+      REQUIRE(after.groups[g].points.size() == before.groups[g].points.size());
+      for (std::size_t i = 0; i < after.groups[g].points.size(); ++i)
+        CHECK(after.groups[g].points[i].vertex == before.groups[g].points[i].vertex);
+    }
+  }
+}
