@@ -410,6 +410,89 @@ class Clicks(ToolTest):
         self.load("r.json")
 
 
+def read_stl(path):
+    """Vertices, welded, and faces of a binary STL."""
+    with open(path, "rb") as f:
+        data = f.read()
+    place, faces = {}, []
+    for k in range(struct.unpack_from("<I", data, 80)[0]):
+        xyz = struct.unpack_from("<9f", data, 84 + 50 * k + 12)
+        faces.append([place.setdefault(xyz[3 * c:3 * c + 3], len(place)) for c in range(3)])
+    return list(place), faces
+
+
+class Pieces(ToolTest):
+    """Parts of an arch, two arches in one file, faces the wrong way round: a result that holds, or a status."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.vertices, cls.faces = read_stl(cls.scan.stl)
+
+    def segment(self, faces, truth, vertices=None, status=(0,)):
+        """Teeth of the truth that a label of the tool covers for the most part, wrong labels, report."""
+        with open(self.path("piece.off"), "w") as out:
+            vertices = vertices or self.vertices
+            out.write("OFF\n%d %d 0\n" % (len(vertices), len(faces)))
+            out.writelines("%.9g %.9g %.9g\n" % tuple(v) for v in vertices)
+            out.writelines("3 %d %d %d\n" % tuple(f) for f in faces)
+        done = self.run_tool(self.path("piece.off"), "--labels", self.path("l.txt"), "--report", self.path("r.json"))
+        self.assertIn(done.returncode, status, done.stderr)
+        if done.returncode == 2:
+            return done.stderr
+        with open(self.path("l.txt")) as f:
+            labels = [int(line) for line in f]
+        found, wrong = set(), 0
+        for label in set(labels) - {0}:
+            on = [t for l, t in zip(labels, truth) if l == label]
+            tooth = max(set(on), key=on.count)
+            if tooth and on.count(tooth) > 0.7 * max(len(on), truth.count(tooth)):
+                found.add(tooth)
+            else:
+                wrong += 1
+        return found, wrong, self.load("r.json")
+
+    def keep(self, wanted):
+        chosen = [k for k in range(len(self.faces)) if wanted(k)]
+        return [self.faces[k] for k in chosen], [self.scan.labels[k] for k in chosen]
+
+    def side(self, k):
+        return sum(self.vertices[i][0] for i in self.faces[k])
+
+    def test_half_an_arch(self):
+        faces, truth = self.keep(lambda k: self.side(k) > 0)
+        found, wrong, _ = self.segment(faces, truth)
+        self.assertGreaterEqual(len(found), self.scan.teeth // 2 - 1)
+        self.assertLessEqual(wrong, 1)
+
+    def test_gingiva_alone(self):
+        said = self.segment(*self.keep(lambda k: self.scan.labels[k] == 0), status=(2,))
+        self.assertIn("TS_E_NO_TEETH", said)
+
+    def test_one_crown_alone(self):
+        result = self.segment(*self.keep(lambda k: self.scan.labels[k] == 2), status=(0, 1, 2))
+        if isinstance(result, tuple):
+            self.assertLessEqual(len(result[0]) + result[1], 1)
+
+    def test_inside_out_and_mirrored(self):
+        back = [f[::-1] for f in self.faces]
+        mirror = [(-x, y, z) for x, y, z in self.vertices]
+        for faces, vertices, inside_out in (
+                (back, self.vertices, True), (back, mirror, False), (self.faces, mirror, True)):
+            found, wrong, report = self.segment(faces, self.scan.labels, vertices)
+            self.assertEqual((len(found), wrong, report["inside_out"]), (self.scan.teeth, 0, inside_out))
+
+    def test_two_arches_side_by_side(self):
+        width = max(v[0] for v in self.vertices) - min(v[0] for v in self.vertices)
+        vertices = self.vertices + [(x + width + 10, y, z) for x, y, z in self.vertices]
+        faces = self.faces + [[i + len(self.vertices) for i in f] for f in self.faces]
+        truth = self.scan.labels + [t and t + 100 for t in self.scan.labels]
+        found, wrong, report = self.segment(faces, truth, vertices, status=(0, 1))
+        sure = sum(t["confidence"] >= 0.9 for t in report["teeth"])
+        self.assertGreater(len(found), 0)
+        self.assertLessEqual(sure, len(found))
+
+
 if __name__ == "__main__":
     if len(sys.argv) < 3:
         sys.exit(__doc__)
