@@ -470,8 +470,11 @@ class Pieces(ToolTest):
         self.assertIn("TS_E_NO_TEETH", said)
 
     def test_one_crown_alone(self):
-        result = self.segment(*self.keep(lambda k: self.scan.labels[k] == 2), status=(0, 1, 2))
-        if isinstance(result, tuple):
+        molar = max(self.scan.labels)
+        result = self.segment(*self.keep(lambda k: self.scan.labels[k] == molar), status=(0, 1, 2))
+        if isinstance(result, str):
+            self.assertIn("TS_E_NO_TEETH", result)
+        else:
             self.assertLessEqual(len(result[0]) + result[1], 1)
 
     def test_inside_out_and_mirrored(self):
@@ -487,10 +490,9 @@ class Pieces(ToolTest):
         vertices = self.vertices + [(x + width + 10, y, z) for x, y, z in self.vertices]
         faces = self.faces + [[i + len(self.vertices) for i in f] for f in self.faces]
         truth = self.scan.labels + [t and t + 100 for t in self.scan.labels]
-        found, wrong, report = self.segment(faces, truth, vertices, status=(0, 1))
-        sure = sum(t["confidence"] >= 0.9 for t in report["teeth"])
-        self.assertGreater(len(found), 0)
-        self.assertLessEqual(sure, len(found))
+        found, wrong, _ = self.segment(faces, truth, vertices, status=(0, 1))
+        self.assertGreaterEqual(len(found), self.scan.teeth // 2)  # one curve runs through part of both
+        self.assertLessEqual(wrong, 2)  # where it crosses from one to the other
 
 
 if __name__ == "__main__":
