@@ -27,13 +27,14 @@ double area_beyond(const mesh::Surface &surface, const Vec<double> &distance, do
   return area;
 }
 
-Vec<std::uint8_t> certain_gingiva(const mesh::Surface &surface, const Sites &sites, double limit) {
-  const Vec<double> distance = geometry::edge_distances(surface, starts_at(sites));
+Vec<std::uint8_t> certain_gingiva(const mesh::Surface &surface, const Sites &sites, double limit, double lengthened) {
+  Vec<double> distance = geometry::edge_distances(surface, starts_at(sites));
+  for (double &d : distance) d /= lengthened;
   if (area_beyond(surface, distance, limit) < kLeastShare * surface.area) limit *= kCloser;
   Vec<std::uint8_t> gingiva(surface.vertices(), 0);
   for (Index v = 0; v < surface.vertices(); ++v) gingiva[v] = std::isfinite(distance[v]) && distance[v] > limit;
   for (Index loop = 0; loop < surface.boundary.size(); ++loop) {
-    if (surface.boundary_length[loop] <= kRimLength) break;  // longest first
+    if (surface.boundary_length[loop] <= kRimLength * lengthened) break;  // longest first
     for (const Index v : surface.boundary[loop])
       if (std::isfinite(distance[v]) && distance[v] > kRimClearance) gingiva[v] = 1;
   }
@@ -58,13 +59,13 @@ Nodes make_nodes(const mesh::Surface &surface, const Sites &sites, const NodeOpt
     geometry::PathFinder(surface).search(
         starts_at(sites), [&](Index e) { return surface.edge_length(e); },
         [&](Index v, double d, Index point) {
-          if (d > options.seed_radius) return false;
+          if (d > options.seed_radius * options.lengthened) return false;
           if (nodes.of_vertex[v] == mesh::none) nodes.of_vertex[v] = node_of_point[point];
           return true;
         });
   }
   if (options.gingiva) {
-    const Vec<std::uint8_t> gingiva = certain_gingiva(surface, sites, options.gingiva_distance);
+    const Vec<std::uint8_t> gingiva = certain_gingiva(surface, sites, options.gingiva_distance, options.lengthened);
     for (Index v = 0; v < surface.vertices(); ++v) {
       if (!gingiva[v] || nodes.of_vertex[v] != mesh::none) continue;
       if (nodes.gingiva == mesh::none) {

@@ -30,6 +30,7 @@ struct NodeOptions {
   double seed_radius = 0.7;      // mm; 0: the vertex alone
   bool gingiva = true;           // make a node of what is gingiva for certain
   double gingiva_distance = 13;  // mm from every feature point
+  double lengthened = 1;         // paths along noise are this much longer than what they measure
 };
 
 // A node a feature point: the vertices nearer to it along edges than to any other point, and within the radius. A point

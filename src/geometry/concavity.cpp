@@ -42,6 +42,16 @@ Vec<double> edge_concavity(const Surface &surface, const Vec<Vec3> &position, bo
   return edge;
 }
 
+// What smoothing takes off the sum of the edge lengths and off the area is what noise had added.
+void compare(const Surface &surface, const Vec<Vec3> &smoothed, Concavity &c) {
+  double length = 0, area = 0;
+  for (const auto &[a, b] : surface.edge) length += (smoothed[a] - smoothed[b]).norm();
+  for (const auto &[i, j, k] : surface.triangle)
+    area += (smoothed[j] - smoothed[i]).cross(smoothed[k] - smoothed[i]).norm() / 2;
+  if (length > 0) c.lengthened = std::max(1.0, surface.mean_edge * static_cast<double>(surface.edge.size()) / length);
+  if (area > 0) c.widened = std::max(1.0, surface.area / area);
+}
+
 }  // namespace
 
 double noise_gauge(const Surface &surface, const Vec<Vec3> &normal, const Executor &executor) {
@@ -92,6 +102,7 @@ Concavity concavity(const Surface &surface, double normal_radius, bool inside_ou
   Concavity c;
   c.vertex = std::move(inside_out ? k.greatest : k.least);
   for (double &x : c.vertex) x = std::max(0.0, inside_out ? x : -x);
+  if (pre > 0) compare(surface, smoothed, c);
   c.edge = edge_concavity(surface, position, inside_out, executor);
   return c;
 }

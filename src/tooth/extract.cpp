@@ -56,6 +56,7 @@ constexpr double kLevels[] = {0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
 constexpr double kAreaPerWidth = 17, kAreaScatter = 0.55;
 
 double plausible(const Prepared &p, Index group, double area) {
+  area /= p.widened;
   if (area < p.options.area_min || area > p.options.area_max) return 1e-3;
   if (!(p.width[group] > 0)) return 1;
   const double z = std::log(area / (kAreaPerWidth * p.width[group])) / kAreaScatter;
@@ -75,7 +76,7 @@ double best_level(const Prepared &p, const Vec<double> &rising, Index group, std
   for (const double level : levels) {
     for (std::size_t v = 0; v < phi.size(); ++v) phi[v] = rising[v] - level;
     cut::Mask inside = cut::grow(surface, phi, seeds);
-    cut::fill_holes(surface, p.options.hole_area, foreign, inside);
+    cut::fill_holes(surface, p.widened * p.options.hole_area, foreign, inside);
     const Vec<Index> faces = cut::faces_of(inside), corners = cut::vertices_of(surface, faces);
     // The contour's part around this component: where phi is kept negative on it alone.
     for (const Index v : corners) alone[v] = phi[v];
@@ -232,19 +233,19 @@ Tooth extract_tooth(const Prepared &p, const Fields &fields, const Selection &se
   Vec<std::uint8_t> foreign(fixed.size());
   for (std::size_t v = 0; v < fixed.size(); ++v) foreign[v] = fixed[v] == 2;
   cut::Mask inside = cut::grow(surface, phi, tooth.seeds);
-  cut::fill_holes(surface, p.options.hole_area, foreign, inside);
+  cut::fill_holes(surface, p.widened * p.options.hole_area, foreign, inside);
   if (p.options.refine_band > 0) {
-    cut::refine(surface, phi, p.seam, fixed, {p.options.refine_band}, inside);
+    cut::refine(surface, phi, p.seam, fixed, {p.lengthened * p.options.refine_band}, inside);
     cut::keep_seeded(surface, tooth.seeds, inside);
-    cut::fill_holes(surface, p.options.hole_area, foreign, inside);
+    cut::fill_holes(surface, p.widened * p.options.hole_area, foreign, inside);
   }
   tooth.faces = cut::faces_of(inside);
   if (tooth.faces.empty() || tooth.faces.size() == surface.faces())
     throw Error(Fault::no_cut, "the field of group " + std::to_string(group) + " separates nothing");
   tooth.vertices = cut::vertices_of(surface, tooth.faces);
   tooth.area = cut::area_of(surface, tooth.faces);
-  if (tooth.area < p.options.area_min) tooth.warnings |= Warning::area_small;
-  if (tooth.area > p.options.area_max) tooth.warnings |= Warning::area_large;
+  if (tooth.area / p.widened < p.options.area_min) tooth.warnings |= Warning::area_small;
+  if (tooth.area / p.widened > p.options.area_max) tooth.warnings |= Warning::area_large;
   if (p.live.size() < 2) tooth.warnings |= Warning::no_neighbour;
   if (!p.rejected[group].empty()) tooth.warnings |= Warning::seed_rejected;
   add_cuts(p, fields, tooth, inside);

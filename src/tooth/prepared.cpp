@@ -64,6 +64,8 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   geometry::Concavity valleys = geometry::concavity(surface, options.normal_radius, features.inside_out, executor);
   p.seam = cut::seams(surface, valleys.vertex, valleys.edge);
   p.concavity = std::move(valleys.vertex);
+  p.lengthened = valleys.lengthened;
+  p.widened = valleys.widened;
   for (const features::Group &g : features.groups) p.width.push_back(std::max(0.0, g.to - g.from));
   progress.part(0.2, 0.3, "weights")(0);
   const Vec<double> weight = field::edge_weights(
@@ -79,9 +81,9 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
 
   const bool several =
       std::any_of(p.sites.group.begin(), p.sites.group.end(), [&](Index g) { return g != p.sites.group.front(); });
-  p.nodes = field::make_nodes(
-      surface, p.sites,
-      {options.seed_radius, options.background != Background::neighbour || !several, options.gingiva_distance});
+  p.nodes = field::make_nodes(surface, p.sites,
+                              {options.seed_radius, options.background != Background::neighbour || !several,
+                               options.gingiva_distance, p.lengthened});
   p.solver = std::make_unique<field::Solver>(surface, weight, p.nodes, progress.part(0.3, 1, "factorisation"));
   p.outlier = options.reject_outliers ? field::find_outliers(*p.solver, p.nodes, convexity)
                                       : Vec<std::uint8_t>(p.nodes.size(), 0);

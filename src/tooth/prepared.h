@@ -21,6 +21,8 @@ struct Prepared {
   Vec<Index> group_at;       // a vertex: the group of the point there, or none; rejected points left out
   Vec<Vec<Index>> rejected;  // a group: places in Group::points
   Vec<double> concavity;     // a vertex, 1/mm
+  double lengthened = 1;     // of paths, by noise
+  double widened = 1;        // of areas, by noise
   Vec<double> seam;          // an edge, 1/mm: where the min-cut likes to run
   Vec<double> width;         // a group: of its stretch of the arch, mm; 0 if unknown
   Vec<double> cotangent;     // an edge, for the smoothing of lines

@@ -123,6 +123,13 @@ TEST_CASE("the noise gauge tells rough from smooth; only rough is smoothed") {
   CHECK(gauge < 0.35);
   CHECK(presmoothing(gauge) > 0.2);
   CHECK(presmoothing(10) == 1);
+  // What noise adds to lengths and areas is told, and nothing is told of a smooth surface.
+  const Concavity smooth_c = concavity(s, 0.15, false, Executor(1)),
+                  rough_c = concavity(rough, 0.15, false, Executor(1));
+  CHECK(smooth_c.lengthened == 1);
+  CHECK(smooth_c.widened == 1);
+  CHECK(rough_c.widened == doctest::Approx(rough.area / s.area).epsilon(0.1));
+  CHECK(rough_c.lengthened == doctest::Approx(rough.mean_edge / s.mean_edge).epsilon(0.1));
 }
 
 TEST_CASE("smoothing: constants stay, waves shrink by 1 / (1 + r^2 k^2), any number of threads gives the same bytes") {
