@@ -40,8 +40,6 @@ class Solver {
   // Touches the vertex' path in the elimination tree only.
   Eigen::VectorXd measure(Index vertex) const;
 
-  std::size_t factor_entries() const { return row_.size(); }
-
  private:
   void factorise(const mesh::Surface &surface, const Vec<double> &edge_weight, const Progress &progress);
   template <int K>

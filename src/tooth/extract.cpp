@@ -43,6 +43,12 @@ Vec<std::uint8_t> fixed_for(const Prepared &p, Index group) {
   return fixed;
 }
 
+// 1 = seeds of other teeth and gingiva: no hole may be filled over them.
+Vec<std::uint8_t> foreign_of(Vec<std::uint8_t> fixed) {
+  for (std::uint8_t &f : fixed) f = f == 2;
+  return fixed;
+}
+
 // With everything else held, a tooth's own field decides: what it is does then not depend on the pair it was separated
 // in. The paper's rule looks at the field of the pair.
 bool own_field_decides(const Options &o) {
@@ -69,8 +75,7 @@ double plausible(const Prepared &p, Index group, double area) {
 double best_level(const Prepared &p, const Vec<double> &rising, Index group, std::span<const double> levels) {
   const mesh::Surface &surface = *p.surface;
   const Vec<Index> seeds = seeds_of(p, group);
-  Vec<std::uint8_t> foreign = fixed_for(p, group);
-  for (std::uint8_t &f : foreign) f = f == 2;
+  const Vec<std::uint8_t> foreign = foreign_of(fixed_for(p, group));
   double best = -1, found = std::numeric_limits<double>::quiet_NaN();
   Vec<double> phi(rising.size()), alone(rising.size(), 1);
   for (const double level : levels) {
@@ -230,8 +235,7 @@ Tooth extract_tooth(const Prepared &p, const Fields &fields, const Selection &se
   }
 
   const Vec<std::uint8_t> fixed = fixed_for(p, group);
-  Vec<std::uint8_t> foreign(fixed.size());
-  for (std::size_t v = 0; v < fixed.size(); ++v) foreign[v] = fixed[v] == 2;
+  const Vec<std::uint8_t> foreign = foreign_of(fixed);
   cut::Mask inside = cut::grow(surface, phi, tooth.seeds);
   cut::fill_holes(surface, p.widened * p.options.hole_area, foreign, inside);
   if (p.options.refine_band > 0) {
