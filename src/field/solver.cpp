@@ -1,42 +1,11 @@
 #include "field/solver.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace ts::field {
 namespace {
-
-using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-
-// Fill-reducing order of the free vertices: place -> vertex.
-Vec<Index> order_free(const mesh::Surface &surface, const Vec<Index> &free, const Vec<Index> &rank) {
-  const int n = static_cast<int>(free.size());
-  Sparse upper(n, n);
-  Vec<int> count(free.size(), 1);
-  const auto before = [&](Index i, const auto &visit) {
-    for (const Index e : surface.vertex_edges[free[i]]) {
-      const Index j = rank[surface.other_end(e, free[i])];
-      if (j != mesh::none && j < i) visit(j);
-    }
-  };
-  for (Index i = 0; i < free.size(); ++i) before(i, [&](Index) { ++count[i]; });
-  upper.reserve(Eigen::Map<Eigen::VectorXi>(count.data(), n));
-  for (Index i = 0; i < free.size(); ++i) {
-    before(i, [&](Index j) { upper.insert(static_cast<int>(j), static_cast<int>(i)) = 1; });
-    upper.insert(static_cast<int>(i), static_cast<int>(i)) = 1;
-  }
-  upper.makeCompressed();
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place;
-  Eigen::AMDOrdering<int>()(upper.selfadjointView<Eigen::Upper>(), place);
-  Vec<Index> order(free.size());
-  for (int k = 0; k < n; ++k) order[static_cast<std::size_t>(k)] = free[static_cast<std::size_t>(place.indices()[k])];
-  return order;
-}
 
 Vec<std::uint8_t> pieces_with_node(const mesh::Surface &surface, const Vec<Index> &node_of) {
   Vec<std::uint8_t> has(surface.components, 0);
@@ -63,127 +32,45 @@ Vec<Index> connected_sets(const Eigen::MatrixXd &s) {
   return set;
 }
 
-// Brings the rows of each column into order and adds up what several edges from a vertex to a node give.
-void merge_columns(Vec<int> &start, Vec<int> &row, Vec<double> &value) {
-  Vec<std::pair<int, double>> column;
-  std::size_t to = 0;
-  for (std::size_t j = 0; j + 1 < start.size(); ++j) {
-    column.clear();
-    for (auto k = static_cast<std::size_t>(start[j]); k < static_cast<std::size_t>(start[j + 1]); ++k)
-      column.emplace_back(row[k], value[k]);
-    std::ranges::stable_sort(column, {}, &std::pair<int, double>::first);
-    start[j] = static_cast<int>(to);
-    for (std::size_t k = 0; k < column.size(); ++k) {
-      if (k > 0 && column[k].first == column[k - 1].first) {
-        value[to - 1] += column[k].second;
-        continue;
-      }
-      row[to] = column[k].first;
-      value[to++] = column[k].second;
-    }
-  }
-  start.back() = static_cast<int>(to);
-  row.resize(to);
-  value.resize(to);
-}
-
 }  // namespace
 
 Solver::Solver(const mesh::Surface &surface, const Vec<double> &edge_weight, const Nodes &nodes,
-               const Progress &progress)
-    : node_of_(nodes.of_vertex), slot_(surface.vertices(), mesh::none), nodes_(static_cast<Index>(nodes.size())) {
+               const Executor &executor, const Progress &progress, std::size_t most_bytes)
+    : node_of_(nodes.of_vertex) {
   const Vec<std::uint8_t> used = pieces_with_node(surface, node_of_);
   Vec<Index> free;
   for (Index v = 0; v < surface.vertices(); ++v) {
     const Index piece = surface.vertex_component[v];
-    if (node_of_[v] != mesh::none || piece == mesh::none || !used[piece]) continue;
-    slot_[v] = static_cast<Index>(free.size());
-    free.push_back(v);
+    if (node_of_[v] == mesh::none && piece != mesh::none && used[piece]) free.push_back(v);
   }
-  interior_ = static_cast<Index>(free.size());
   progress(0);
-  const Vec<Index> order = order_free(surface, free, slot_);
-  for (Index k = 0; k < order.size(); ++k) slot_[order[k]] = k;
-  progress(0.25);
-  factorise(surface, edge_weight, progress);
+  Dissection dissection = dissect(surface, free, executor);
+  Vec<Index> place(surface.vertices(), mesh::none);
+  for (Index k = 0; k < dissection.order.size(); ++k) place[dissection.order[k]] = k;
+  const auto interior = static_cast<Index>(free.size());
+  for (Index v = 0; v < surface.vertices(); ++v)
+    if (node_of_[v] != mesh::none) place[v] = interior + node_of_[v];
+  free = {};
+  progress(0.2);
+  factor_ = std::make_unique<const Factor>(Laplacian{surface, edge_weight, node_of_, static_cast<Index>(nodes.size())},
+                                           std::move(dissection), place, most_bytes, executor,
+                                           progress.part(0.2, 1, "factorisation"));
+  schur_ = factor_->corner();
+  // Constants are in the kernel of S exactly.
+  for (Eigen::Index i = 0; i < schur_.rows(); ++i) schur_(i, i) = -schur_.row(i).sum();
+  set_ = connected_sets(schur_);
   progress(1);
 }
 
-void Solver::factorise(const mesh::Surface &surface, const Vec<double> &edge_weight, const Progress &progress) {
-  const std::size_t n = interior_ + nodes_;
-  const auto unknown = [&](Index v) {
-    return node_of_[v] != mesh::none ? interior_ + node_of_[v] : slot_[v];  // none stays none
-  };
-  Vec<double> diagonal(n, 0);
-  Vec<int> start(n + 1, 0);
-  const auto upper_entries = [&](const auto &visit) {
-    for (Index e = 0; e < surface.edge.size(); ++e) {
-      const Index i = unknown(surface.edge[e][0]), j = unknown(surface.edge[e][1]);
-      if (i == mesh::none || j == mesh::none || i == j) continue;
-      visit(std::min(i, j), std::max(i, j), edge_weight[e]);
-    }
-  };
-  upper_entries([&](Index i, Index j, double w) {
-    diagonal[i] += w;
-    diagonal[j] += w;
-    ++start[j + 1];
-  });
-  const double sigma = std::accumulate(diagonal.begin(), diagonal.end(), 0.0) / static_cast<double>(n);
-  for (std::size_t i = interior_; i < n; ++i) diagonal[i] += sigma;
-  for (std::size_t i = 0; i < n; ++i) ++start[i + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  Vec<int> row(static_cast<std::size_t>(start.back())), fill(start.begin(), start.end() - 1);
-  Vec<double> value(row.size());
-  upper_entries([&](Index i, Index j, double w) {
-    const auto k = static_cast<std::size_t>(fill[j]++);
-    row[k] = static_cast<int>(i);
-    value[k] = -w;
-  });
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(fill[i]++);
-    row[k] = static_cast<int>(i);
-    value[k] = diagonal[i];
-  }
-  merge_columns(start, row, value);
-  const Eigen::Map<const Sparse> matrix(static_cast<int>(n), static_cast<int>(n), static_cast<int>(row.size()),
-                                        start.data(), row.data(), value.data());
-  Eigen::SimplicialLLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;
-  const Sparse copy = matrix;
-  factor.analyzePattern(copy);
-  progress(0.35);
-  factor.factorize(copy);
-  progress(0.9);
-  if (factor.info() != Eigen::Success)
-    throw Error(Fault::solver, "the Laplacian could not be factorised: weights not positive");
-
-  const Sparse &l = factor.matrixL().nestedExpression();
-  column_.resize(interior_ + 1);
-  for (Index j = 0; j <= interior_; ++j) column_[j] = static_cast<std::size_t>(l.outerIndexPtr()[j]);
-  row_.assign(l.innerIndexPtr(), l.innerIndexPtr() + column_[interior_]);
-  value_.assign(l.valuePtr(), l.valuePtr() + column_[interior_]);
-
-  Eigen::MatrixXd corner = Eigen::MatrixXd::Zero(nodes_, nodes_);
-  for (int j = static_cast<int>(interior_); j < static_cast<int>(n); ++j)
-    for (Sparse::InnerIterator it(l, j); it; ++it)
-      corner(it.row() - static_cast<int>(interior_), j - static_cast<int>(interior_)) = it.value();
-  schur_ = corner * corner.transpose();
-  // The shift by sigma and the rounding of the long sums fall on the diagonal; constants are in the kernel of S
-  // exactly.
-  for (Index i = 0; i < nodes_; ++i) {
-    schur_(i, i) = 0;
-    schur_(i, i) = -schur_.row(i).sum();
-  }
-}
-
 Eigen::VectorXd Solver::solve_nodes(std::span<const double> held, double alpha) const {
-  const Vec<Index> set = connected_sets(schur_);
-  Vec<std::uint8_t> anchored(nodes_, 0);
-  for (Index i = 0; i < nodes_; ++i)
-    if (!std::isnan(held[i])) anchored[set[i]] = 1;
-  Eigen::VectorXd u = Eigen::VectorXd::Constant(nodes_, free_node);
+  const auto nodes = static_cast<Index>(schur_.rows());
+  Vec<std::uint8_t> anchored(nodes, 0);
+  for (Index i = 0; i < nodes; ++i)
+    if (!std::isnan(held[i])) anchored[set_[i]] = 1;
+  Eigen::VectorXd u = Eigen::VectorXd::Constant(nodes, free_node);
   Vec<Index> unknown;
-  for (Index i = 0; i < nodes_; ++i) {
-    if (!anchored[set[i]]) continue;
+  for (Index i = 0; i < nodes; ++i) {
+    if (!anchored[set_[i]]) continue;
     if (!std::isnan(held[i]) && alpha <= 0)
       u[i] = held[i];
     else
@@ -201,7 +88,7 @@ Eigen::VectorXd Solver::solve_nodes(std::span<const double> held, double alpha) 
       a(i, i) += alpha;
       b[i] = alpha * held[node];
     } else {
-      for (Index j = 0; j < nodes_; ++j)
+      for (Index j = 0; j < nodes; ++j)
         if (alpha <= 0 && !std::isnan(held[j])) b[i] -= schur_(node, j) * held[j];
     }
   }
@@ -212,71 +99,62 @@ Eigen::VectorXd Solver::solve_nodes(std::span<const double> held, double alpha) 
   return u;
 }
 
-template <int K>
-void Solver::sweep(double *x) const {
-  using Row = Eigen::Array<double, K, 1>;
-  using Map = Eigen::Map<Row>;
-  for (std::size_t j = interior_; j-- > 0;) {
-    Row sum = Row::Zero();
-    const std::size_t end = column_[j + 1];
-    for (std::size_t k = column_[j] + 1; k < end; ++k)
-      sum -= value_[k] * Eigen::Map<const Row>(x + static_cast<std::size_t>(row_[k]) * K);
-    Map(x + j * K) = sum / value_[column_[j]];
-  }
+Solution Solver::extend(const Eigen::VectorXd &at_nodes) const {
+  return {*factor_, spaces_, {at_nodes.data(), static_cast<std::size_t>(at_nodes.size())}};
 }
 
-Vec<Vec<double>> Solver::extend(std::span<const Eigen::VectorXd> at_nodes) const {
-  Vec<Vec<double>> u(at_nodes.size());
-  Vec<double> x;
-  for (std::size_t first = 0; first < at_nodes.size();) {
-    const std::size_t left = at_nodes.size() - first, width = left > 4 ? 8 : left > 2 ? 4 : left;
-    const std::size_t used = std::min(width, left);
-    x.assign((std::size_t{interior_} + nodes_) * width, 0);
-    for (std::size_t k = 0; k < used; ++k)
-      for (std::size_t i = 0; i < nodes_; ++i)
-        x[(interior_ + i) * width + k] = at_nodes[first + k][static_cast<Eigen::Index>(i)];
-    if (width == 8)
-      sweep<8>(x.data());
-    else if (width == 4)
-      sweep<4>(x.data());
-    else if (width == 2)
-      sweep<2>(x.data());
-    else
-      sweep<1>(x.data());
-    for (std::size_t k = 0; k < used; ++k) {
-      Vec<double> &out = u[first + k];
-      out.assign(slot_.size(), free_node);
-      for (std::size_t v = 0; v < slot_.size(); ++v) {
-        const std::size_t i = node_of_[v] != mesh::none ? std::size_t{interior_} + node_of_[v] : slot_[v];
-        if (i != mesh::none) out[v] = x[i * width + k];
-      }
-    }
-    first += used;
-  }
+Vec<double> Solver::extend_to_all(const Eigen::VectorXd &at_nodes) const {
+  Solution solution = extend(at_nodes);
+  Vec<double> u(node_of_.size());
+  for (Index v = 0; v < u.size(); ++v) u[v] = solution(v);
   return u;
 }
 
 Eigen::VectorXd Solver::measure(Index vertex) const {
-  Eigen::VectorXd h = Eigen::VectorXd::Zero(nodes_);
-  if (node_of_[vertex] != mesh::none) {
-    h[node_of_[vertex]] = 1;
-    return h;
+  const Factor &f = *factor_;
+  Eigen::VectorXd share = Eigen::VectorXd::Zero(f.nodes());
+  const Index place = f.place(vertex);
+  if (place == mesh::none) return share;
+  if (place >= f.interior()) {
+    share[place - f.interior()] = 1;
+    return share;
   }
-  if (slot_[vertex] == mesh::none) return h;
-  // L y = e_v; the share of the nodes is -L21 y. Rows of a column lie on the column's path to the root.
-  Vec<double> y(interior_, 0);
-  y[slot_[vertex]] = 1;
-  for (std::size_t j = slot_[vertex]; j < interior_;) {
-    y[j] /= value_[column_[j]];
-    for (std::size_t k = column_[j] + 1; k < column_[j + 1]; ++k) {
-      if (row_[k] < interior_)
-        y[row_[k]] -= value_[k] * y[j];
-      else
-        h[row_[k] - interior_] -= value_[k] * y[j];
+  // L y = e_v along the way to the root; the shares are -L21 y. `left` holds what is still to be eliminated: by the
+  // rows of the part that comes next.
+  Vec<double> at_rows, next;
+  std::span<const Index> rows;
+  Block made;
+  for (Index part = f.part_of(place); part != mesh::none; part = f.parts()[part].parent) {
+    const Part &p = f.parts()[part];
+    if (!f.kept(f.chunk_of(part)) && !made) made = f.make(f.chunk_of(part));
+    const Factor::Panel panel = f.panel(part, made);
+    const std::span<const Index> below = f.rows(part);
+    Vec<double> y(panel.columns, 0);
+    next.assign(below.size(), 0);
+    if (rows.empty() && at_rows.empty()) y[place - p.begin] = 1;
+    for (std::size_t i = 0, to = 0; i < rows.size(); ++i) {
+      if (rows[i] < p.end) {
+        y[rows[i] - p.begin] = at_rows[i];
+        continue;
+      }
+      while (below[to] < rows[i]) ++to;
+      next[to] = at_rows[i];
     }
-    j = column_[j] + 1 < column_[j + 1] ? row_[column_[j] + 1] : interior_;
+    for (std::size_t j = 0; j < panel.columns; ++j) {
+      y[j] *= panel.inverse[j];
+      for (std::size_t i = j + 1; i < panel.columns; ++i) y[i] -= panel.below(j)[i - j - 1] * y[j];
+      for (std::size_t i = 0; i < below.size(); ++i) next[i] -= panel.touched[j * panel.stride + i] * y[j];
+    }
+    at_rows.swap(next);
+    rows = below;
+    if (rows.empty()) return share;
   }
-  return h;
+  for (std::size_t i = 0; i < rows.size(); ++i) share[rows[i] - f.interior()] = at_rows[i];
+  return share;
+}
+
+std::size_t Solver::bytes() const {
+  return factor_->bytes() + node_of_.size() * sizeof(Index) + sizeof(double) * static_cast<std::size_t>(schur_.size());
 }
 
 }  // namespace ts::field

@@ -4,15 +4,15 @@
 //   [ A  B^T ]          and Eq. 3 reduces exactly to   (S + P) u_F = P b,   A u_I = -B^T u_F,
 //   [ B  D   ]
 // S = D - B A^-1 B^T the Schur complement: a dense matrix over the nodes only. A is factorised once, nodes ordered
-// last, so S falls out of the same factorisation, and a click costs a small dense solve and one back-substitution.
+// last, so S falls out of the same factorisation, and a click costs a small dense solve and the back-substitution for
+// the vertices it looks at.
 #pragma once
 
-#include <Eigen/Core>
 #include <limits>
 #include <span>
 
-#include "base/progress.h"
 #include "field/nodes.h"
+#include "field/solution.h"
 
 namespace ts::field {
 
@@ -21,9 +21,10 @@ inline constexpr double free_node = std::numeric_limits<double>::quiet_NaN();
 
 class Solver {
  public:
-  // Pieces of the surface that no node touches are left out. Throws Fault::solver.
-  Solver(const mesh::Surface &surface, const Vec<double> &edge_weight, const Nodes &nodes,
-         const Progress &progress = {});
+  // Pieces of the surface that no node touches are left out. `most_bytes`: of the factor (Factor). Throws
+  // Fault::solver, Fault::out_of_memory.
+  Solver(const mesh::Surface &surface, const Vec<double> &edge_weight, const Nodes &nodes, const Executor &executor,
+         const Progress &progress = {}, std::size_t most_bytes = SIZE_MAX);
 
   // -S_ij is the conductance between nodes i and j with all else free. Rows sum to zero.
   const Eigen::MatrixXd &schur() const { return schur_; }
@@ -32,25 +33,23 @@ class Solver {
   // held node is in reach.
   Eigen::VectorXd solve_nodes(std::span<const double> held, double alpha) const;
 
-  // Values at all vertices from those at the nodes, a column each; NaN on pieces left out. Columns are solved up to
-  // eight a sweep over the factor; each gives the same bytes as alone.
-  Vec<Vec<double>> extend(std::span<const Eigen::VectorXd> at_nodes) const;
+  // The values at the vertices from those at the nodes, where they are asked for.
+  Solution extend(const Eigen::VectorXd &at_nodes) const;
+  // All of them; NaN on pieces left out.
+  Vec<double> extend_to_all(const Eigen::VectorXd &at_nodes) const;
 
   // Harmonic measure of a vertex: the share of each node in its value, u(v) = measure . u_F; zero on pieces left out.
-  // Touches the vertex' path in the elimination tree only.
+  // Touches the vertex' path to the root of the tree only.
   Eigen::VectorXd measure(Index vertex) const;
 
- private:
-  void factorise(const mesh::Surface &surface, const Vec<double> &edge_weight, const Progress &progress);
-  template <int K>
-  void sweep(double *x) const;
+  std::size_t bytes() const;  // of what is kept for the clicks
 
-  Vec<Index> node_of_, slot_;  // a vertex: its node / its place among the free ones, or none
-  Index interior_ = 0, nodes_ = 0;
-  Vec<std::size_t> column_;  // the free columns of the factor; the diagonal first in each
-  Vec<Index> row_;
-  Vec<double> value_;
+ private:
+  Vec<Index> node_of_;
+  std::unique_ptr<const Factor> factor_;
   Eigen::MatrixXd schur_;
+  Vec<Index> set_;  // of nodes that S connects: the first node of each node's
+  mutable Pool<Solution::Space> spaces_;
 };
 
 }  // namespace ts::field

@@ -159,7 +159,8 @@ Fields solve_fields(const Prepared &p, const Pick &pick) {
   at_nodes.push_back(p.solver->solve_nodes(held_for(p, pick, pick.target), p.options.alpha));
   if (pick.neighbour != mesh::none)
     at_nodes.push_back(p.solver->solve_nodes(held_for(p, pick, pick.neighbour), p.options.alpha));
-  Vec<Vec<double>> extended = p.solver->extend(at_nodes);
+  Vec<Vec<double>> extended;
+  for (const Eigen::VectorXd &u : at_nodes) extended.push_back(p.solver->extend_to_all(u));
   Fields fields;
   fields.target = std::move(extended[0]);
   if (extended.size() > 1)

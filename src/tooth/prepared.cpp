@@ -84,7 +84,7 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   p.nodes = field::make_nodes(surface, p.sites,
                               {options.seed_radius, options.background != Background::neighbour || !several,
                                options.gingiva_distance, p.lengthened});
-  p.solver = std::make_unique<field::Solver>(surface, weight, p.nodes, progress.part(0.3, 1, "factorisation"));
+  p.solver = std::make_unique<field::Solver>(surface, weight, p.nodes, executor, progress.part(0.3, 1, "factorisation"));
   p.outlier = options.reject_outliers ? field::find_outliers(*p.solver, p.nodes, convexity)
                                       : Vec<std::uint8_t>(p.nodes.size(), 0);
 

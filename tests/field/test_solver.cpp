@@ -30,7 +30,7 @@ TEST_CASE("Eq. 3 agrees with a dense solve of (L + P) u = P b") {
   for (double &x : w) x = 1e-3 + pseudo_random(state);
   const Vec<Index> points = {20, 60, 110, 150, 200};
   const Nodes nodes = single_vertices(s, points, {0, 0, 1, 1, 2}, 3);
-  const Solver solver(s, w, nodes);
+  const Solver solver(s, w, nodes, Executor(1));
   const double alpha = 1e8;
   const Vec<double> held = {0, 0, 1, 1, free_node};  // the last one belongs to a tooth that is not of the pair
 
@@ -46,7 +46,7 @@ TEST_CASE("Eq. 3 agrees with a dense solve of (L + P) u = P b") {
   const Eigen::VectorXd dense = a.ldlt().solve(b);
 
   const Eigen::VectorXd at_nodes = solver.solve_nodes(held, alpha);
-  const Vec<double> u = solver.extend({&at_nodes, 1})[0];
+  const Vec<double> u = solver.extend_to_all(at_nodes);
   double worst = 0;
   for (Index v = 0; v < s.vertices(); ++v) worst = std::max(worst, std::abs(u[v] - dense[v]));
   CHECK(worst < 1e-6);
@@ -63,7 +63,7 @@ TEST_CASE("discs: a dense solve with the vertices of each disc made one") {
   const mesh::Surface s = forms::plane(6, 6, 18, 18);
   const Nodes nodes = make_nodes(s, {{5 * 19 + 4, 13 * 19 + 14, 9 * 19 + 9}, {0, 1, 2}, 3}, {0.7, false, 13});
   const Vec<double> w(s.edge.size(), 1);
-  const Solver solver(s, w, nodes);
+  const Solver solver(s, w, nodes, Executor(1));
   Vec<Index> unknown(s.vertices());
   Index n = 3;
   for (Index v = 0; v < s.vertices(); ++v) unknown[v] = nodes.of_vertex[v] != mesh::none ? nodes.of_vertex[v] : n++;
@@ -78,7 +78,7 @@ TEST_CASE("discs: a dense solve with the vertices of each disc made one") {
   a(0, 0) += 1e8, a(1, 1) += 1e8, b[1] = 1e8;
   const Eigen::VectorXd dense = a.ldlt().solve(b);
   const Eigen::VectorXd at_nodes = solver.solve_nodes(Vec<double>{0, 1, free_node}, 1e8);
-  const Vec<double> u = solver.extend({&at_nodes, 1})[0];
+  const Vec<double> u = solver.extend_to_all(at_nodes);
   for (Index v = 0; v < s.vertices(); ++v) CHECK(std::abs(u[v] - dense[unknown[v]]) < 1e-6);
 }
 
@@ -93,9 +93,10 @@ TEST_CASE("harmonic on a strip: linear between its ends") {
     groups.push_back(x == 0 ? 0 : 1);
     held.push_back(x == 0 ? 0 : 1);
   }
-  const Solver solver(s, geometry::cotangent_weights(s, 0, Executor(1)), single_vertices(s, points, groups, 2));
+  const Solver solver(s, geometry::cotangent_weights(s, 0, Executor(1)), single_vertices(s, points, groups, 2),
+                      Executor(1));
   const Eigen::VectorXd at_nodes = solver.solve_nodes(held, 0);
-  const Vec<double> u = solver.extend({&at_nodes, 1})[0];
+  const Vec<double> u = solver.extend_to_all(at_nodes);
   for (Index v = 0; v < s.vertices(); ++v) CHECK(u[v] == doctest::Approx(s.position[v].x() / 10).epsilon(1e-9));
 }
 
@@ -111,9 +112,10 @@ TEST_CASE("harmonic on a tube held at cos(angle): falls off like cosh") {
     groups.push_back(p.z() < 1 ? 0 : 1);
     held.push_back(std::cos(std::atan2(p.y(), p.x())));
   }
-  const Solver solver(s, geometry::cotangent_weights(s, 0, Executor(1)), single_vertices(s, points, groups, 2));
+  const Solver solver(s, geometry::cotangent_weights(s, 0, Executor(1)), single_vertices(s, points, groups, 2),
+                      Executor(1));
   const Eigen::VectorXd at_nodes = solver.solve_nodes(held, 0);
-  const Vec<double> u = solver.extend({&at_nodes, 1})[0];
+  const Vec<double> u = solver.extend_to_all(at_nodes);
   for (Index v = 0; v < s.vertices(); ++v) {
     const auto &p = s.position[v];
     const double exact =
@@ -122,30 +124,41 @@ TEST_CASE("harmonic on a tube held at cos(angle): falls off like cosh") {
   }
 }
 
-TEST_CASE("columns solved together or alone give the same bytes") {
-  const mesh::Surface s = forms::sphere(5, 3);
+TEST_CASE("a value has the same bytes asked for alone, in any order, with any number of threads, in little memory") {
+  const mesh::Surface s = forms::sphere(5, 5);
   const Nodes nodes = single_vertices(s, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, 11);
-  const Solver solver(s, Vec<double>(s.edge.size(), 1), nodes);
-  Vec<Eigen::VectorXd> columns;
+  const Vec<double> w(s.edge.size(), 1);
+  const Solver solver(s, w, nodes, Executor(1)), threads(s, w, nodes, Executor(3));
+  const std::size_t all_of_it = solver.bytes();
+  const Solver small(s, w, nodes, Executor(2), {}, all_of_it / 3);
+  CHECK(small.bytes() < all_of_it);
+  CHECK((threads.schur() - solver.schur()).norm() == 0);
+  CHECK((small.schur() - solver.schur()).norm() == 0);
+  Vec<double> sum(s.vertices(), 0);
   for (Index k = 0; k < 11; ++k) {
     Vec<double> held(11, 0);
     held[k] = 1;
-    columns.push_back(solver.solve_nodes(held, 1e8));
-  }
-  const Vec<Vec<double>> all = solver.extend(columns);
-  Vec<double> sum(s.vertices(), 0);
-  for (std::size_t k = 0; k < 11; ++k) {
-    const Vec<double> alone = solver.extend({&columns[k], 1})[0];
-    CHECK(alone == all[k]);
-    for (Index v = 0; v < s.vertices(); ++v) sum[v] += alone[v];
+    const Eigen::VectorXd at_nodes = solver.solve_nodes(held, 1e8);
+    const Vec<double> u = solver.extend_to_all(at_nodes);
+    CHECK(threads.extend_to_all(at_nodes) == u);
+    CHECK(small.extend_to_all(at_nodes) == u);
+    const Index some[] = {1000, 5, static_cast<Index>(s.vertices()) - 1, 77};
+    Solution all = solver.extend(at_nodes);
+    std::size_t bytes = 0;
+    for (const Index v : some) {
+      Solution one = solver.extend(at_nodes);
+      CHECK(one(v) == u[v]);
+      CHECK(all(v) == u[v]);
+      bytes = one.bytes();
+    }
+    CHECK(bytes > 0);
+    CHECK(bytes < all_of_it / 8);
+    for (const Index v : some) CHECK(solver.measure(v)[k] == doctest::Approx(u[v]).epsilon(1e-6));
+    for (Index v = 0; v < s.vertices(); ++v) sum[v] += u[v];
   }
   for (const double x : sum) CHECK(x == doctest::Approx(1).epsilon(1e-6));  // a partition of unity
-
-  for (const Index v : {Index{0}, Index{100}, Index{333}}) {  // the harmonic measure is the row of it
-    const Eigen::VectorXd h = solver.measure(v);
-    CHECK(h.sum() == doctest::Approx(1));
-    for (std::size_t k = 0; k < 11; ++k) CHECK(h[Eigen::Index(k)] == doctest::Approx(all[k][v]).epsilon(1e-6));
-  }
+  for (const Index v : {Index{11}, Index{100}, Index{333}}) CHECK(solver.measure(v).sum() == doctest::Approx(1));
+  CHECK_THROWS_AS(Solver(s, w, nodes, Executor(1), {}, 100), Error);
 }
 
 TEST_CASE("pieces without a node are left out; pieces without a held one are NaN in that click only") {
@@ -159,12 +172,12 @@ TEST_CASE("pieces without a node are left out; pieces without a held one are NaN
   }
   const mesh::Surface s = mesh::make_surface(p, t);
   const Nodes nodes = single_vertices(s, {10, 30, n + 10}, {0, 1, 2}, 3);
-  const Solver solver(s, Vec<double>(s.edge.size(), 1), nodes);
+  const Solver solver(s, Vec<double>(s.edge.size(), 1), nodes, Executor(1));
   const Eigen::VectorXd pair = solver.solve_nodes(Vec<double>{0, 1, free_node}, 1e8);
-  const Vec<double> u = solver.extend({&pair, 1})[0];
+  const Vec<double> u = solver.extend_to_all(pair);
   for (Index v = 0; v < 3 * n; ++v) CHECK(std::isnan(u[v]) == (v >= n));
   const Eigen::VectorXd all = solver.solve_nodes(Vec<double>{0, 1, 0.25}, 1e8);
-  const Vec<double> w = solver.extend({&all, 1})[0];
+  const Vec<double> w = solver.extend_to_all(all);
   for (Index v = n; v < 2 * n; ++v) CHECK(w[v] == doctest::Approx(0.25));
   for (Index v = 2 * n; v < 3 * n; ++v) CHECK(std::isnan(w[v]));
   CHECK(solver.measure(2 * n + 5).sum() == 0);
@@ -178,10 +191,10 @@ TEST_CASE("a point on the wrong side of a seam is an outlier; the points on thei
   const auto at = [](Index i, Index j) { return j * 49 + i; };
   const Sites sites{{at(8, 6), at(8, 18), at(14, 12), at(34, 12), at(40, 6), at(40, 18)}, {0, 0, 0, 0, 1, 1}, 2};
   const Nodes nodes = make_nodes(s, sites, {0.7, false, 13});
-  const Vec<std::uint8_t> outlier = find_outliers(Solver(s, w, nodes), nodes, Vec<double>(6, 0.3));
+  const Vec<std::uint8_t> outlier = find_outliers(Solver(s, w, nodes, Executor(1)), nodes, Vec<double>(6, 0.3));
   CHECK(outlier == Vec<std::uint8_t>{0, 0, 0, 1, 0, 0});
   const Nodes right = make_nodes(s, {sites.point, {0, 0, 0, 1, 1, 1}, 2}, {0.7, false, 13});
-  CHECK(find_outliers(Solver(s, w, right), right, Vec<double>(6, 0.3)) == Vec<std::uint8_t>(6, 0));
+  CHECK(find_outliers(Solver(s, w, right, Executor(1)), right, Vec<double>(6, 0.3)) == Vec<std::uint8_t>(6, 0));
 }
 
 TEST_CASE("a flat point with no seam between it and the gingiva is freed; a cusp there, or one set by hand, is not") {
@@ -193,7 +206,7 @@ TEST_CASE("a flat point with no seam between it and the gingiva is freed; a cusp
   const Sites sites{{at(8, 6), at(8, 18), at(40, 12)}, {0, 0, 0}, 1};
   const Nodes nodes = make_nodes(s, sites, {0.7, true, 13});
   REQUIRE(nodes.gingiva != mesh::none);
-  const Solver solver(s, w, nodes);
+  const Solver solver(s, w, nodes, Executor(1));
   const auto freed = [&](double convexity) { return find_outliers(solver, nodes, Vec<double>{0.15, 0.15, convexity}); };
   CHECK(freed(0.15) == Vec<std::uint8_t>{0, 0, 1, 0});
   CHECK(freed(0.30) == Vec<std::uint8_t>{0, 0, 0, 0});

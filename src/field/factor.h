@@ -1,0 +1,113 @@
+// The Cholesky factor of the Laplacian with the constraint nodes ordered last: dense parts along a tree of dissection.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+
+#include "base/progress.h"
+#include "field/dissection.h"
+
+namespace ts::field {
+
+// The matrix: an entry -weight for each edge, row sums zero, nodes (sets of vertices) taken as one unknown each.
+struct Laplacian {
+  const mesh::Surface &surface;
+  std::span<const double> edge_weight;
+  std::span<const Index> node_of;  // a vertex: its node, or none
+  Index nodes = 0;
+};
+
+// Doubles that begin without a value, from the caller's allocator.
+class Block {
+ public:
+  Block() = default;
+  explicit Block(std::size_t doubles) : data_(static_cast<double *>(allocate(doubles * sizeof(double)))) {}
+  double *data() const { return data_.get(); }
+  explicit operator bool() const { return data_ != nullptr; }
+
+ private:
+  struct Free {
+    void operator()(double *p) const noexcept { deallocate(p); }
+  };
+  std::unique_ptr<double, Free> data_;
+};
+
+class Factor {
+ public:
+  // Unknowns are numbered by places: the free vertices in the order of elimination, then the nodes. `place` has that of
+  // each vertex, none for vertices that take no part. Factorised are the free ones; what this leaves of the matrix on
+  // the nodes is `corner`, which has no diagonal. Panels of the lower parts of the tree are kept as long as all that is
+  // kept stays within `most_bytes`; the others are worked out again where they are needed, to the same bytes. Throws
+  // Fault::solver, and Fault::out_of_memory if not even the upper parts fit.
+  Factor(const Laplacian &laplacian, Dissection dissection, std::span<const Index> place, std::size_t most_bytes,
+         const Executor &executor, const Progress &progress);
+
+  Index interior() const { return interior_; }
+  Index nodes() const { return nodes_; }
+  Index place(Index vertex) const { return place_[vertex]; }
+  const Eigen::MatrixXd &corner() const { return corner_; }
+
+  const Vec<Part> &parts() const { return parts_; }
+  Index part_of(Index place) const { return part_of_[place]; }
+  std::span<const Index> rows(Index part) const { return rows_[part]; }  // places after the part's that it touches
+
+  // A part's columns: 1 / l_jj for each; the rows below the diagonal of its own, packed column by column; and, for the
+  // rows it touches, columns of `stride` values, the last ones zero.
+  struct Panel {
+    const double *inverse, *own, *touched;
+    std::size_t columns, stride;
+    // Rows of column j below the diagonal begin here.
+    const double *below(std::size_t j) const { return own + j * columns - j * (j + 1) / 2; }
+  };
+
+  // Parts live in chunks: subtrees at the bottom, and all that is above them.
+  Index chunks() const { return static_cast<Index>(chunk_.size()); }
+  Index chunk_of(Index part) const { return chunk_of_[part]; }
+  bool kept(Index chunk) const { return static_cast<bool>(chunk_[chunk].panels); }
+  Block make(Index chunk) const;                     // of one that is not kept
+  Panel panel(Index part, const Block &made) const;  // `made`: its chunk if that is not kept
+  std::size_t panel_bytes(Index part) const;
+
+  std::size_t most_rows() const { return most_rows_; }
+  std::size_t bytes() const;  // of all that is kept
+
+ private:
+  struct Chunk {
+    Index first = 0, root = 0;  // parts [first, root] of a subtree; of the last chunk, those of no other
+    std::size_t doubles = 0;
+    Block panels;
+  };
+
+  void find_rows(const mesh::Surface &surface, std::span<const Index> order, const Executor &executor);
+  void lay_out();
+  void keep(std::size_t most_bytes);
+  void collect_entries(const Laplacian &laplacian, std::span<const Index> order, const Executor &executor);
+  bool is_below(Index part) const { return chunk_of_[part] + 1 < chunks(); }
+  double *place_of_panel(Index part, const Block &made) const;
+  // Eliminates the part and all below it in its chunk (`made`: where the chunk's panels go if they are not kept) or,
+  // above the chunks, in all; gives the part's update: what its elimination leaves on its rows, the lower triangle
+  // packed column by column.
+  Vec<double> eliminate(Index part, const Block &made, const Executor *executor, const Progress *progress) const;
+  Vec<double> eliminate_one(Index part, std::span<const double> left, std::span<const double> right,
+                            const Block &made) const;
+
+  Index interior_ = 0, nodes_ = 0;
+  Vec<Index> place_;  // a vertex
+  Vec<Part> parts_;
+  Vec<Index> part_of_, chunk_of_;
+  mesh::Rows rows_;
+  Vec<std::size_t> offset_;  // a part: in its chunk
+  Vec<Chunk> chunk_;
+  std::size_t most_rows_ = 0;
+
+  // The matrix, a row a place: entries to later places, and the diagonal. Kept only where panels are to be made again.
+  struct Entries {
+    Vec<std::size_t> start;
+    Vec<Index> place;
+    Vec<double> value, diagonal;
+  } entries_;
+  Eigen::MatrixXd corner_;
+};
+
+}  // namespace ts::field

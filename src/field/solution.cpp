@@ -1,0 +1,72 @@
+#include "field/solution.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "field/dense.h"
+
+namespace ts::field {
+
+Solution::Space::Space(const Factor &f)
+    : x(std::size_t{f.interior()} + f.nodes(), std::bit_cast<double>(kUnset)),
+      done(f.parts().size(), 0),
+      made(f.chunks()),
+      gathered((f.most_rows() + 7) / 8 * 8, 0),
+      factor(&f) {
+  parts.reserve(f.parts().size());
+  std::size_t most = 0;
+  for (const Part &p : f.parts()) most = std::max<std::size_t>(most, p.end - p.begin);
+  sums.resize(2 * most);
+}
+
+void Solution::Space::clear() noexcept {
+  for (const Index i : parts) {
+    const Part &p = factor->parts()[i];
+    std::fill(x.begin() + p.begin, x.begin() + p.end, std::bit_cast<double>(kUnset));
+    done[i] = 0;
+    made[factor->chunk_of(i)] = {};
+  }
+  parts.clear();
+}
+
+Solution::Solution(const Factor &factor, Pool<Space> &pool, std::span<const double> at_nodes, Source source)
+    : factor_(&factor), space_(pool.take([&] { return std::make_unique<Space>(factor); })), source_(std::move(source)) {
+  std::copy(at_nodes.begin(), at_nodes.end(), space_->x.begin() + factor.interior());
+}
+
+void Solution::evaluate(Index part) {
+  const auto begin = std::chrono::steady_clock::now();
+  Space &s = *space_;
+  const std::size_t before = s.parts.size();
+  for (Index p = part; p != mesh::none && !s.done[p]; p = factor_->parts()[p].parent) {
+    s.done[p] = 1;
+    s.parts.push_back(p);
+  }
+  for (std::size_t i = s.parts.size(); i-- > before;) substitute(s.parts[i]);
+  milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// L11^T x = source - L21^T x_rows.
+void Solution::substitute(Index part) {
+  Space &s = *space_;
+  const Part &p = factor_->parts()[part];
+  const Index chunk = factor_->chunk_of(part);
+  if (!factor_->kept(chunk) && !s.made[chunk]) s.made[chunk] = factor_->make(chunk);
+  const Factor::Panel panel = factor_->panel(part, s.made[chunk]);
+  const std::span<const Index> rows = factor_->rows(part);
+  for (std::size_t i = 0; i < rows.size(); ++i) s.gathered[i] = s.x[rows[i]];
+  for (std::size_t i = rows.size(); i < panel.stride; ++i) s.gathered[i] = 0;
+  const std::size_t k = panel.columns;
+  double *const t = s.sums.data(), *const x = s.x.data() + p.begin;
+  dense_kernels().dots(panel.touched, panel.stride, panel.stride, k, s.gathered.data(), t);
+  const std::span<const double> source = source_[part];
+  for (std::size_t j = k; j-- > 0;) {
+    double sum = (source.empty() ? 0 : source[j]) - t[j];
+    const double *below = panel.below(j);
+    for (std::size_t i = j + 1; i < k; ++i) sum -= below[i - j - 1] * x[i];
+    x[j] = sum * panel.inverse[j];
+  }
+  bytes_ += factor_->panel_bytes(part);
+}
+
+}  // namespace ts::field
