@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <atomic>
+#include <cmath>
 
 namespace ts::field {
 namespace {
@@ -11,12 +11,14 @@ using mesh::Vec3;
 
 // Most vertices of a piece that is not cut again. Smaller pieces mean fewer entries but more work around each; 16 to 40
 // take the same time within a tenth.
-constexpr std::size_t kLeaf = 24;
+constexpr std::size_t kLeaf = 12;
 // Pieces above this size are cut in parallel.
 constexpr std::size_t kParallel = 4096;
 
-// Coordinates of the vertices along the principal axes of their positions.
-Vec<Vec3> own_coordinates(const mesh::Surface &surface, std::span<const Index> vertices) {
+using Coordinates = std::array<float, 3>;
+
+// Coordinates of the vertices along the principal axes of their positions; those of other vertices stay as they are.
+void own_coordinates(const mesh::Surface &surface, std::span<const Index> vertices, Vec<Coordinates> &own) {
   Vec3 mean = Vec3::Zero();
   for (const Index v : vertices) mean += surface.position[v];
   mean /= static_cast<double>(std::max<std::size_t>(1, vertices.size()));
@@ -26,27 +28,34 @@ Vec<Vec3> own_coordinates(const mesh::Surface &surface, std::span<const Index> v
     second += d * d.transpose();
   }
   const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second).eigenvectors();
-  Vec<Vec3> own(vertices.size());
-  for (std::size_t i = 0; i < own.size(); ++i) own[i] = axes.transpose() * (surface.position[vertices[i]] - mean);
-  return own;
+  for (const Index v : vertices) {
+    const Vec3 p = axes.transpose() * (surface.position[v] - mean);
+    own[v] = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+  }
 }
 
 class Dissector {
  public:
   Dissector(const mesh::Surface &surface, std::span<const Index> vertices, const Executor &executor)
-      : surface_(surface), executor_(executor), piece_(surface.vertices(), 0) {
-    const Vec<Vec3> own = own_coordinates(surface, vertices);
+      : surface_(surface), executor_(executor), ordered_(surface.vertices(), 1), at_(surface.vertices()) {
+    own_coordinates(surface, vertices, at_);
     item_.resize(vertices.size());
-    for (std::size_t i = 0; i < item_.size(); ++i) {
-      item_[i] = {own[i], vertices[i]};
-      piece_[vertices[i]] = 1;
-    }
+    executor.ranges(item_.size(), kParallel, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Index v = vertices[i];
+        double reach = 0;
+        for (const Index e : surface.vertex_edges[v]) reach = std::max(reach, surface.edge_length(e));
+        // A little more than the longest edge: the coordinates are rounded.
+        item_[i] = {at_[v], static_cast<float>(reach * 1.001 + 1e-5 * surface.diagonal), v};
+        ordered_[v] = 0;
+      }
+    });
   }
 
   Dissection run() {
     Dissection d;
     if (item_.empty()) return d;
-    d.parts = cut(0, item_.size(), 1);
+    d.parts = cut(0, item_.size());
     for (Index i = 0; i < d.parts.size(); ++i)
       for (const Index c : d.parts[i].children)
         if (c != mesh::none) d.parts[c].parent = i;
@@ -57,62 +66,56 @@ class Dissector {
 
  private:
   struct Item {
-    Vec3 at;
+    Coordinates at;
+    float reach;  // no edge of the vertex is longer
     Index vertex;
   };
 
-  // Neighbouring pieces are cut at the same time, and a look at a vertex of theirs may find either name: neither is
-  // one of this piece's.
-  std::uint64_t piece_of(Index v) const { return std::atomic_ref(piece_[v]).load(std::memory_order_relaxed); }
-  void set_piece(Index v, std::uint64_t name) { std::atomic_ref(piece_[v]).store(name, std::memory_order_relaxed); }
-
-  bool touches(Index v, std::uint64_t name) const {
-    for (const Index e : surface_.vertex_edges[v])
-      if (piece_of(surface_.other_end(e, v)) == name) return true;
-    return false;
-  }
-
-  // Orders the items [begin, end), the piece `name`; the parts' indices count from the first of them. Halves of piece
-  // n are 2n and 2n + 1.
-  Vec<Part> cut(std::size_t begin, std::size_t end, std::uint64_t name) {
+  // Orders the items [begin, end) and gives their parts, the indices of which count from the first of them.
+  Vec<Part> cut(std::size_t begin, std::size_t end) {
     const auto place = [](std::size_t i) { return static_cast<Index>(i); };
     if (end - begin <= kLeaf) return {Part{place(begin), place(end), place(begin)}};
-    Vec3 low = item_[begin].at, high = low;
-    for (std::size_t i = begin; i < end; ++i) low = low.cwiseMin(item_[i].at), high = high.cwiseMax(item_[i].at);
-    Eigen::Index axis = 0;
-    (high - low).maxCoeff(&axis);
-    const auto at = item_.begin();
-    const auto offset = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
-    std::size_t middle = begin + (end - begin) / 2;
-    std::nth_element(at + offset(begin), at + offset(middle), at + offset(end), [&](const Item &a, const Item &b) {
+    Coordinates low = item_[begin].at, high = low;
+    for (std::size_t i = begin; i < end; ++i)
+      for (int k = 0; k < 3; ++k)
+        low[k] = std::min(low[k], item_[i].at[k]), high[k] = std::max(high[k], item_[i].at[k]);
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
+    const auto item = [&](std::size_t i) { return item_.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto place_of = [&](auto i) { return static_cast<std::size_t>(i - item_.begin()); };
+    const std::size_t middle = begin + (end - begin) / 2;
+    std::nth_element(item(begin), item(middle), item(end), [&](const Item &a, const Item &b) {
       return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.vertex < b.vertex;
     });
-    for (std::size_t i = begin; i < end; ++i) set_piece(item_[i].vertex, 2 * name + (i >= middle));
-    // Of either half the vertices that touch the other separate; the fewer are taken.
-    std::size_t touching[2] = {0, 0};
-    for (std::size_t i = begin; i < end; ++i)
-      touching[i >= middle] += touches(item_[i].vertex, 2 * name + (i < middle));
-    const bool upper = touching[1] < touching[0];
-    const auto separates = [&](const Item &item) { return touches(item.vertex, 2 * name + !upper); };
-    std::size_t left, right;  // where the halves end
+    const float level = item_[middle].at[axis];
+    const Index first = item_[middle].vertex;  // of the upper half
+    const auto is_upper = [&](Index v) { return at_[v][axis] != level ? at_[v][axis] > level : v >= first; };
+    // What is beside a vertex and not yet ordered lies in this piece: all around the piece is ordered.
+    const auto crosses = [&](const Item &i, bool upper) {
+      if (std::abs(i.at[axis] - level) > i.reach) return false;
+      for (const Index e : surface_.vertex_edges[i.vertex])
+        if (const Index w = surface_.other_end(e, i.vertex); !ordered_[w] && is_upper(w) != upper) return true;
+      return false;
+    };
+    // Of either half the vertices that touch the other separate the halves; the fewer are taken.
+    std::size_t crossing[2] = {0, 0};
+    for (std::size_t i = begin; i < end; ++i) crossing[i >= middle] += crosses(item_[i], i >= middle);
+    const bool upper = crossing[1] < crossing[0];
+    const auto stays = [&](const Item &i) { return !crosses(i, upper); };
+    std::size_t left = middle, right = end - crossing[upper];  // where the halves end
     if (upper) {
-      left = middle;
-      right = begin + static_cast<std::size_t>(std::partition(at + offset(middle), at + offset(end),
-                                                              [&](const Item &i) { return !separates(i); }) -
-                                               (at + offset(begin)));
+      std::partition(item(middle), item(end), stays);
     } else {
-      const auto kept =
-          std::partition(at + offset(begin), at + offset(middle), [&](const Item &i) { return !separates(i); });
-      left = static_cast<std::size_t>(kept - at);
-      std::rotate(kept, at + offset(middle), at + offset(end));
-      right = end - (middle - left);
+      left = place_of(std::partition(item(begin), item(middle), stays));
+      std::rotate(item(left), item(middle), item(end));
     }
-    for (std::size_t i = right; i < end; ++i) set_piece(item_[i].vertex, 0);
+    for (std::size_t i = right; i < end; ++i) ordered_[item_[i].vertex] = 1;
 
     Vec<Part> halves[2];
     const auto go = [&](std::size_t k) {
-      if (k == 0 && begin < left) halves[0] = cut(begin, left, 2 * name);
-      if (k == 1 && left < right) halves[1] = cut(left, right, 2 * name + 1);
+      if (k == 0 && begin < left) halves[0] = cut(begin, left);
+      if (k == 1 && left < right) halves[1] = cut(left, right);
     };
     if (end - begin > kParallel)
       executor_.each(2, go);
@@ -135,7 +138,8 @@ class Dissector {
   const mesh::Surface &surface_;
   const Executor &executor_;
   Vec<Item> item_;
-  mutable Vec<std::uint64_t> piece_;  // a vertex: its piece, 0 for what is ordered last or not at all
+  Vec<std::uint8_t> ordered_;  // a vertex: 1 once it separates, or if it is not to be ordered
+  Vec<Coordinates> at_;        // a vertex
 };
 
 }  // namespace

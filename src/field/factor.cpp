@@ -2,135 +2,155 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 #include "base/error.h"
 #include "field/dense.h"
-#include "mesh/rows.h"
 
 namespace ts::field {
 namespace {
 
-// Subtrees of this many unknowns are chunks: small enough that one can be made again within a click.
-constexpr std::size_t kChunk = 6000;
+// Subtrees of at most this many unknowns are chunks: few enough that one can be made again within a click, and many
+// chunks, so that all threads have work.
+constexpr Index kChunk = 6000;
 
 constexpr std::size_t padded(std::size_t n) {
   return (n + 7) / 8 * 8;
 }
 
-std::size_t own_doubles(std::size_t k) {
-  return padded(k + k * (k - 1) / 2);
+// Of a panel, what comes before the rows that it touches.
+std::size_t own_doubles(std::size_t columns) {
+  return padded(columns + columns * (columns - 1) / 2);
 }
 
-// Calls body(part) for a subtree, children first; large halves at the same time.
-void bottom_up(const Vec<Part> &parts, Index part, const Executor &executor, const auto &body) {
-  constexpr Index kParallel = 4096;
-  const Part &p = parts[part];
-  const auto go = [&](std::size_t k) {
-    if (p.children[k] != mesh::none) bottom_up(parts, p.children[k], executor, body);
-  };
-  if (p.end - p.first > kParallel)
-    executor.each(2, go);
-  else
-    go(0), go(1);
-  body(part);
-}
-
-// a and b united, of both what is at least `from`; all ascending.
-Vec<Index> unite(std::span<const Index> a, std::span<const Index> b, Index from) {
-  a = a.subspan(static_cast<std::size_t>(std::ranges::lower_bound(a, from) - a.begin()));
-  b = b.subspan(static_cast<std::size_t>(std::ranges::lower_bound(b, from) - b.begin()));
-  Vec<Index> all(a.size() + b.size());
-  const auto end = std::set_union(a.begin(), a.end(), b.begin(), b.end(), all.begin());
-  all.resize(static_cast<std::size_t>(end - all.begin()));
-  return all;
+std::size_t packed(std::size_t rows) {
+  return rows * (rows + 1) / 2;
 }
 
 }  // namespace
 
-Factor::Factor(const Laplacian &laplacian, Dissection dissection, std::span<const Index> place, std::size_t most_bytes,
+// Fronts and the updates of the parts whose parents have not come yet: those of a chunk in order are a stack.
+struct Factor::Space {
+  Block front;
+  Vec<double> stack;
+  Vec<std::size_t> to;
+  std::size_t ld = 0;  // of the front
+
+  explicit Space(std::size_t most_unknowns) : front(padded(most_unknowns) * most_unknowns) {}
+  void clear() noexcept {}
+  void begin(std::size_t m) {
+    ld = padded(m);
+    std::fill_n(front.data(), ld * m, 0.0);
+  }
+  // What was eliminated of `m` unknowns last leaves on those after the first k: the lower triangle, packed by columns.
+  void pack(std::size_t m, std::size_t k, double *u) const {
+    for (std::size_t j = k; j < m; ++j) u = std::copy_n(front.data() + j * ld + j, m - j, u);
+  }
+};
+
+Factor::Factor(Laplacian laplacian, Dissection dissection, std::span<const Index> place, std::size_t most_bytes,
                const Executor &executor, const Progress &progress)
-    : interior_(static_cast<Index>(dissection.order.size())),
+    : surface_(&laplacian.surface),
+      weight_(std::move(laplacian.edge_weight)),
+      interior_(static_cast<Index>(dissection.order.size())),
       nodes_(laplacian.nodes),
+      order_(std::move(dissection.order)),
       place_(place.begin(), place.end()),
       parts_(std::move(dissection.parts)) {
   corner_ = Eigen::MatrixXd::Zero(nodes_, nodes_);
-  for (std::size_t e = 0; e < laplacian.edge_weight.size(); ++e) {
-    const auto [a, b] = laplacian.surface.edge[e];
+  for (std::size_t e = 0; e < weight_.size(); ++e) {
+    const auto [a, b] = surface_->edge[e];
     const Index i = laplacian.node_of[a], j = laplacian.node_of[b];
     if (i == mesh::none || j == mesh::none || i == j) continue;
-    corner_(i, j) -= laplacian.edge_weight[e];
-    corner_(j, i) -= laplacian.edge_weight[e];
+    corner_(i, j) -= weight_[e];
+    corner_(j, i) -= weight_[e];
   }
   if (parts_.empty()) return;
-  find_rows(laplacian.surface, dissection.order, executor);
+  find_chunks();
+  find_rows(executor);
   lay_out();
   keep(most_bytes);
-  collect_entries(laplacian, dissection.order, executor);
-  progress(0.1);
-
-  const Index root = static_cast<Index>(parts_.size() - 1);
-  Block made;  // a small surface is one chunk
-  if (is_below(root) && !kept(chunk_of_[root])) made = Block(chunk_[chunk_of_[root]].doubles);
-  const Vec<double> update = eliminate(root, made, &executor, &progress);
-  const std::span<const Index> rows = rows_[root];
-  for (std::size_t j = 0, k = 0; j < rows.size(); ++j)
-    for (std::size_t i = j; i < rows.size(); ++i, ++k) {
-      if (i == j) continue;
-      corner_(rows[i] - interior_, rows[j] - interior_) += update[k];
-      corner_(rows[j] - interior_, rows[i] - interior_) += update[k];
-    }
-  if (std::ranges::all_of(chunk_, [](const Chunk &c) { return static_cast<bool>(c.panels); })) entries_ = {};
+  progress(0.2);
+  eliminate_all(executor, progress.part(0.2, 1, "factorisation"));
+  // Nothing has to be made again?
+  if (std::ranges::all_of(chunk_, [](const Chunk &c) { return c.panels != nullptr; })) weight_ = {}, order_ = {};
 }
 
-void Factor::find_rows(const mesh::Surface &surface, std::span<const Index> order, const Executor &executor) {
-  Vec<Vec<Index>> rows(parts_.size());
+void Factor::find_chunks() {
+  chunk_of_.assign(parts_.size(), mesh::none);
+  const auto size = [&](Index part) { return parts_[part].end - parts_[part].first; };
+  for (Index i = 0, first = 0; i < parts_.size(); ++i) {
+    const Index up = parts_[i].parent;
+    if (size(i) > kChunk) {
+      first = i + 1;
+      continue;
+    }
+    if (up != mesh::none && size(up) <= kChunk) continue;
+    for (Index p = first; p <= i; ++p) chunk_of_[p] = static_cast<Index>(chunk_.size());
+    chunk_.push_back({first, i + 1});
+    first = i + 1;
+  }
+  for (Index &c : chunk_of_)
+    if (c == mesh::none) c = static_cast<Index>(chunk_.size());
+  chunk_.emplace_back();
+}
+
+// The rows of a part are those of its children and what its own vertices touch, less its own.
+void Factor::find_rows(const Executor &executor) {
   part_of_.resize(interior_);
-  bottom_up(parts_, static_cast<Index>(parts_.size() - 1), executor, [&](Index i) {
+  const Index below = chunks() - 1;
+  Vec<mesh::Rows> rows(chunks());  // those of a chunk's parts, in order
+  Vec<Index> place_in(parts_.size());
+  for (Index i = 0; i < parts_.size(); ++i) place_in[i] = chunk_of_[i] < below ? i - chunk_[chunk_of_[i]].first : 0;
+  for (Index i = 0, n = 0; i < parts_.size(); ++i)
+    if (chunk_of_[i] == below) place_in[i] = n++;
+  const auto add = [&](Index i) {
     const Part &p = parts_[i];
-    Vec<Index> own;
+    mesh::Rows &to = rows[chunk_of_[i]];
+    if (to.start.empty()) to.start.push_back(0);
+    Vec<Index> own, united;
     for (Index c = p.begin; c < p.end; ++c) {
       part_of_[c] = i;
-      for (const Index e : surface.vertex_edges[order[c]])
-        if (const Index q = place_[surface.other_end(e, order[c])]; q >= p.end) own.push_back(q);
+      for (const Index e : surface_->vertex_edges[order_[c]])
+        if (const Index q = place_[surface_->other_end(e, order_[c])]; q >= p.end) own.push_back(q);
     }
     std::sort(own.begin(), own.end());
     own.erase(std::unique(own.begin(), own.end()), own.end());
-    for (const Index c : p.children)
-      if (c != mesh::none) own = unite(own, rows[c], p.end);
-    rows[i] = std::move(own);
+    for (const Index child : p.children) {
+      if (child == mesh::none) continue;
+      std::span<const Index> of = rows[chunk_of_[child]][place_in[child]];
+      of = of.subspan(static_cast<std::size_t>(std::ranges::lower_bound(of, p.end) - of.begin()));
+      united.clear();
+      std::set_union(own.begin(), own.end(), of.begin(), of.end(), std::back_inserter(united));
+      own.swap(united);
+    }
+    to.item.insert(to.item.end(), own.begin(), own.end());
+    to.start.push_back(static_cast<Index>(to.item.size()));
+  };
+  executor.each(below, [&](std::size_t c) {
+    for (Index i = chunk_[c].first; i < chunk_[c].end; ++i) add(i);
   });
-  rows_.start.resize(parts_.size() + 1);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows_.start[i] = static_cast<Index>(rows_.item.size());
-    rows_.item.insert(rows_.item.end(), rows[i].begin(), rows[i].end());
-    most_rows_ = std::max(most_rows_, rows[i].size());
+  for (Index i = 0; i < parts_.size(); ++i)
+    if (chunk_of_[i] == below) add(i);
+  std::size_t all = 0;
+  for (const mesh::Rows &r : rows) all += r.item.size();
+  rows_.item.reserve(all);
+  rows_.start.reserve(parts_.size() + 1);
+  for (Index i = 0; i < parts_.size(); ++i) {
+    const std::span<const Index> r = rows[chunk_of_[i]][place_in[i]];
+    rows_.start.push_back(static_cast<Index>(rows_.item.size()));
+    rows_.item.insert(rows_.item.end(), r.begin(), r.end());
+    most_rows_ = std::max(most_rows_, r.size());
+    most_unknowns_ = std::max(most_unknowns_, r.size() + parts_[i].end - parts_[i].begin);
   }
-  rows_.start.back() = static_cast<Index>(rows_.item.size());
+  rows_.start.push_back(static_cast<Index>(rows_.item.size()));
 }
 
 void Factor::lay_out() {
-  chunk_of_.assign(parts_.size(), mesh::none);
-  for (Index i = 0; i < parts_.size(); ++i) {
-    const auto size = [&](Index part) { return parts_[part].end - parts_[part].first; };
-    const Index up = parts_[i].parent;
-    if (size(i) > kChunk || (up != mesh::none && size(up) <= kChunk)) continue;
-    const Index first = chunk_.empty() ? 0 : chunk_.back().root + 1;
-    Chunk chunk;
-    chunk.root = i;
-    chunk.first = i;
-    while (chunk.first > first && parts_[chunk.first - 1].first >= parts_[i].first) --chunk.first;
-    for (Index p = chunk.first; p <= i; ++p) chunk_of_[p] = static_cast<Index>(chunk_.size());
-    chunk_.push_back(std::move(chunk));
-  }
-  chunk_.emplace_back();  // what is above
   offset_.resize(parts_.size());
   for (Index i = 0; i < parts_.size(); ++i) {
-    if (chunk_of_[i] == mesh::none) chunk_of_[i] = static_cast<Index>(chunk_.size() - 1);
     Chunk &c = chunk_[chunk_of_[i]];
-    const std::size_t k = parts_[i].end - parts_[i].begin;
     offset_[i] = c.doubles;
-    c.doubles += own_doubles(k) + k * padded(rows_[i].size());
+    c.doubles += panel_bytes(i) / sizeof(double);
   }
 }
 
@@ -140,150 +160,161 @@ std::size_t Factor::panel_bytes(Index part) const {
 }
 
 void Factor::keep(std::size_t most_bytes) {
-  std::size_t left = most_bytes;
-  const auto take = [&](Chunk &c) {
-    const std::size_t bytes = c.doubles * sizeof(double);
-    if (bytes > left) return false;
-    left -= bytes;
-    c.panels = Block(c.doubles);
-    return true;
-  };
-  if (!take(chunk_.back()))
-    throw Error(Fault::out_of_memory, "memory_limit: the factor needs " +
-                                          std::to_string(chunk_.back().doubles * sizeof(double)) + " bytes at least, " +
-                                          std::to_string(most_bytes) + " are left to it");
-  for (std::size_t c = 0; c + 1 < chunk_.size(); ++c)
-    if (!take(chunk_[c])) break;
+  const std::size_t above = chunk_.back().doubles, most = most_bytes / sizeof(double);
+  if (above > most)
+    throw Error(Fault::out_of_memory, "memory_limit: the factor needs " + std::to_string(above * sizeof(double)) +
+                                          " bytes at least, " + std::to_string(most_bytes) + " are left to it");
+  kept_doubles_ = above;
+  Index chunk = 0;
+  for (; chunk + 1 < chunks() && chunk_[chunk].doubles <= most - kept_doubles_; ++chunk)
+    kept_doubles_ += chunk_[chunk].doubles;
+  kept_ = Block(kept_doubles_);
+  double *at = kept_.data();
+  chunk_.back().panels = at;
+  at += above;
+  for (Index c = 0; c < chunk; ++c) {
+    chunk_[c].panels = at;
+    at += chunk_[c].doubles;
+  }
 }
 
 std::size_t Factor::bytes() const {
-  std::size_t sum = place_.size() * sizeof(Index) +
-                    parts_.size() * (sizeof(Part) + sizeof(Index) + sizeof(std::size_t)) +
-                    part_of_.size() * sizeof(Index) + (rows_.start.size() + rows_.item.size()) * sizeof(Index) +
-                    entries_.start.size() * sizeof(std::size_t) + entries_.place.size() * sizeof(Index) +
-                    (entries_.value.size() + entries_.diagonal.size()) * sizeof(double);
-  for (const Chunk &c : chunk_)
-    if (c.panels) sum += c.doubles * sizeof(double);
-  return sum;
-}
-
-void Factor::collect_entries(const Laplacian &l, std::span<const Index> order, const Executor &executor) {
-  constexpr std::size_t kGrain = 4096;
-  entries_.start.assign(std::size_t{interior_} + 1, 0);
-  entries_.diagonal.resize(interior_);
-  const auto later = [&](std::size_t c, const auto &visit) {
-    for (const Index e : l.surface.vertex_edges[order[c]])
-      if (const Index q = place_[l.surface.other_end(e, order[c])]; q > c) visit(q, l.edge_weight[e]);
-  };
-  executor.ranges(interior_, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      double sum = 0;
-      for (const Index e : l.surface.vertex_edges[order[c]]) sum += l.edge_weight[e];
-      entries_.diagonal[c] = sum;
-      later(c, [&](Index, double) { ++entries_.start[c + 1]; });
-    }
-  });
-  for (std::size_t c = 0; c < interior_; ++c) entries_.start[c + 1] += entries_.start[c];
-  entries_.place.resize(entries_.start.back());
-  entries_.value.resize(entries_.start.back());
-  executor.ranges(interior_, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      std::size_t k = entries_.start[c];
-      later(c, [&](Index q, double w) { entries_.place[k] = q, entries_.value[k++] = -w; });
-    }
-  });
-}
-
-double *Factor::place_of_panel(Index part, const Block &made) const {
-  const Chunk &c = chunk_[chunk_of_[part]];
-  return (c.panels ? c.panels : made).data() + offset_[part];
+  const std::size_t indices =
+      place_.size() + order_.size() + part_of_.size() + chunk_of_.size() + rows_.start.size() + rows_.item.size();
+  return sizeof(double) * (kept_doubles_ + weight_.size()) + sizeof(Index) * indices + sizeof(Part) * parts_.size() +
+         sizeof(std::size_t) * offset_.size();
 }
 
 Factor::Panel Factor::panel(Index part, const Block &made) const {
+  const Chunk &c = chunk_[chunk_of_[part]];
   const std::size_t k = parts_[part].end - parts_[part].begin;
-  const double *at = place_of_panel(part, made);
+  const double *at = (c.panels ? c.panels : made.data()) + offset_[part];
   return {at, at + k, at + own_doubles(k), k, padded(rows_[part].size())};
 }
 
 Block Factor::make(Index chunk) const {
   Block made(chunk_[chunk].doubles);
-  eliminate(chunk_[chunk].root, made, nullptr, nullptr);
+  Space space(most_unknowns_);
+  eliminate_chunk(chunk, made.data(), space);
   return made;
 }
 
-Vec<double> Factor::eliminate(Index part, const Block &made, const Executor *executor, const Progress *progress) const {
-  const Part &p = parts_[part];
-  if (progress && (!is_below(part) || part == chunk_[chunk_of_[part]].root))
-    (*progress)(0.1 + 0.9 * p.first / interior_);
-  Vec<double> update[2];
-  if (!is_below(part)) {
-    // The children of what is above the chunks are independent of each other.
-    executor->each(2, [&](std::size_t k) {
-      const Index child = p.children[k];
-      if (child == mesh::none) return;
-      Block own;
-      if (is_below(child) && !kept(chunk_of_[child])) own = Block(chunk_[chunk_of_[child]].doubles);
-      update[k] = eliminate(child, own, executor, progress);
-    });
-  } else {
-    for (std::size_t k = 0; k < 2; ++k)
-      if (p.children[k] != mesh::none) update[k] = eliminate(p.children[k], made, nullptr, nullptr);
-  }
-  return eliminate_one(part, update[0], update[1], made);
+void Factor::eliminate_all(const Executor &executor, const Progress &progress) {
+  const Index below = chunks() - 1;
+  Vec<Vec<double>> updates(parts_.size());  // of the roots of chunks, and of what is above
+  Pool<Space> spaces;
+  const auto space = [&] { return spaces.take([&] { return std::make_unique<Space>(most_unknowns_); }); };
+  std::atomic<Index> done{0};
+  executor.each(below, [&](std::size_t c) {
+    const auto s = space();
+    const Chunk &chunk = chunk_[c];
+    Block made;
+    if (!chunk.panels) made = Block(chunk.doubles);
+    eliminate_chunk(static_cast<Index>(c), chunk.panels ? chunk.panels : made.data(), *s);
+    updates[chunk.end - 1].assign(s->stack.begin(), s->stack.begin() + packed(rows_[chunk.end - 1].size()));
+    progress(0.75 * ++done / below);
+  });
+  const Index root = static_cast<Index>(parts_.size() - 1);
+  if (chunk_of_[root] == below) updates[root] = eliminate_above(root, updates, spaces, executor, progress);
+  const std::span<const Index> rows = rows_[root];
+  for (std::size_t j = 0, k = 0; j < rows.size(); ++j)
+    for (std::size_t i = j; i < rows.size(); ++i, ++k) {
+      if (i == j) continue;
+      corner_(rows[i] - interior_, rows[j] - interior_) += updates[root][k];
+      corner_(rows[j] - interior_, rows[i] - interior_) += updates[root][k];
+    }
+  progress(1);
 }
 
-Vec<double> Factor::eliminate_one(Index part, std::span<const double> left, std::span<const double> right,
-                                  const Block &made) const {
+// Children are independent of each other, and of these there are few, with large fronts.
+Vec<double> Factor::eliminate_above(Index part, Vec<Vec<double>> &updates, Pool<Space> &spaces,
+                                    const Executor &executor, const Progress &progress) const {
+  const Part &p = parts_[part];
+  executor.each(2, [&](std::size_t k) {
+    const Index child = p.children[k];
+    if (child != mesh::none && chunk_of_[child] == chunk_of_[part])
+      updates[child] = eliminate_above(child, updates, spaces, executor, progress);
+  });
+  progress(0.75);
+  const auto s = spaces.take([&] { return std::make_unique<Space>(most_unknowns_); });
+  const auto of = [&](Index child) { return child == mesh::none ? nullptr : updates[child].data(); };
+  eliminate(part, of(p.children[0]), of(p.children[1]), chunk_.back().panels + offset_[part], *s);
+  for (const Index child : p.children)
+    if (child != mesh::none) updates[child] = {};
+  const std::size_t r = rows_[part].size(), k = p.end - p.begin;
+  Vec<double> update(packed(r));
+  s->pack(k + r, k, update.data());
+  return update;
+}
+
+void Factor::eliminate_chunk(Index chunk, double *panels, Space &s) const {
+  std::size_t top = 0;
+  for (Index i = chunk_[chunk].first; i < chunk_[chunk].end; ++i) {
+    const Part &p = parts_[i];
+    const double *of[2] = {nullptr, nullptr};
+    for (int k = 1; k >= 0; --k)  // the second child's lies on top
+      if (p.children[k] != mesh::none) {
+        top -= packed(rows_[p.children[k]].size());
+        of[k] = s.stack.data() + top;
+      }
+    eliminate(i, of[0], of[1], panels + offset_[i], s);
+    const std::size_t r = rows_[i].size(), k = p.end - p.begin;
+    if (s.stack.size() < top + packed(r)) s.stack.resize(std::max(2 * s.stack.size(), top + packed(r)));
+    s.pack(k + r, k, s.stack.data() + top);
+    top += packed(r);
+  }
+}
+
+// One part: its rows of the matrix and the updates of its children, added up and eliminated.
+void Factor::eliminate(Index part, const double *left, const double *right, double *panel, Space &s) const {
   const Part &p = parts_[part];
   const std::span<const Index> rows = rows_[part];
-  const std::size_t k = p.end - p.begin, r = rows.size(), m = k + r, ld = padded(m);
-  Vec<double> front(ld * m, 0);
-  const auto local = [&](Index q) {
-    return q < p.end ? q - p.begin : k + static_cast<std::size_t>(std::ranges::lower_bound(rows, q) - rows.begin());
-  };
+  const std::size_t k = p.end - p.begin, r = rows.size(), m = k + r;
+  s.begin(m);
+  double *const front = s.front.data();
+  const std::size_t ld = s.ld;
   for (std::size_t j = 0; j < k; ++j) {
-    const std::size_t c = p.begin + j;
-    double *column = front.data() + j * ld;
-    column[j] = entries_.diagonal[c];
-    for (std::size_t e = entries_.start[c]; e < entries_.start[c + 1]; ++e)
-      column[local(entries_.place[e])] += entries_.value[e];
+    const Index v = order_[p.begin + j];
+    double *column = front + j * ld;
+    for (const Index e : surface_->vertex_edges[v]) {
+      const Index q = place_[surface_->other_end(e, v)];
+      column[j] += weight_[e];
+      if (q >= p.end)
+        column[k + static_cast<std::size_t>(std::ranges::lower_bound(rows, q) - rows.begin())] -= weight_[e];
+      else if (q > p.begin + j)
+        column[q - p.begin] -= weight_[e];
+    }
   }
-  Vec<std::size_t> to;
-  const auto add = [&](Index child, std::span<const double> update) {
+  const auto add = [&](Index child, const double *u) {
     if (child == mesh::none) return;
     const std::span<const Index> from = rows_[child];
-    to.resize(from.size());
+    s.to.resize(from.size());
     for (std::size_t i = 0, at = 0; i < from.size(); ++i) {
       if (from[i] < p.end) {
-        to[i] = from[i] - p.begin;
+        s.to[i] = from[i] - p.begin;
         continue;
       }
       while (rows[at] < from[i]) ++at;
-      to[i] = k + at;
+      s.to[i] = k + at;
     }
-    const double *u = update.data();
+    const std::size_t *const to = s.to.data();
     for (std::size_t j = 0; j < from.size(); ++j) {
-      double *column = front.data() + to[j] * ld;
+      double *column = front + to[j] * ld;
       for (std::size_t i = j; i < from.size(); ++i) column[to[i]] += *u++;
     }
   };
   add(p.children[0], left);
   add(p.children[1], right);
-  if (!dense_kernels().eliminate(front.data(), ld, m, k))
+  if (!dense_kernels().eliminate(front, ld, m, k))
     throw Error(Fault::solver, "the Laplacian could not be factorised: weights not positive");
 
-  double *out = place_of_panel(part, made);
-  for (std::size_t j = 0; j < k; ++j) *out++ = 1 / front[j * ld + j];
-  for (std::size_t j = 0; j < k; ++j) out = std::copy_n(front.data() + j * ld + j + 1, k - j - 1, out);
-  out = std::fill_n(out, own_doubles(k) - k - k * (k - 1) / 2, 0.0);
+  for (std::size_t j = 0; j < k; ++j) *panel++ = 1 / front[j * ld + j];
+  for (std::size_t j = 0; j < k; ++j) panel = std::copy_n(front + j * ld + j + 1, k - j - 1, panel);
+  panel = std::fill_n(panel, own_doubles(k) - k - k * (k - 1) / 2, 0.0);
   for (std::size_t j = 0; j < k; ++j) {
-    out = std::copy_n(front.data() + j * ld + k, r, out);
-    out = std::fill_n(out, padded(r) - r, 0.0);
+    panel = std::copy_n(front + j * ld + k, r, panel);
+    panel = std::fill_n(panel, padded(r) - r, 0.0);
   }
-  Vec<double> update(r * (r + 1) / 2);
-  double *u = update.data();
-  for (std::size_t j = 0; j < r; ++j) u = std::copy_n(front.data() + (k + j) * ld + k + j, r - j, u);
-  return update;
 }
 
 }  // namespace ts::field

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "base/pool.h"
 #include "base/progress.h"
 #include "field/dissection.h"
 
@@ -12,8 +13,8 @@ namespace ts::field {
 
 // The matrix: an entry -weight for each edge, row sums zero, nodes (sets of vertices) taken as one unknown each.
 struct Laplacian {
-  const mesh::Surface &surface;
-  std::span<const double> edge_weight;
+  const mesh::Surface &surface;  // has to outlive the factor
+  Vec<double> edge_weight;
   std::span<const Index> node_of;  // a vertex: its node, or none
   Index nodes = 0;
 };
@@ -40,7 +41,7 @@ class Factor {
   // the nodes is `corner`, which has no diagonal. Panels of the lower parts of the tree are kept as long as all that is
   // kept stays within `most_bytes`; the others are worked out again where they are needed, to the same bytes. Throws
   // Fault::solver, and Fault::out_of_memory if not even the upper parts fit.
-  Factor(const Laplacian &laplacian, Dissection dissection, std::span<const Index> place, std::size_t most_bytes,
+  Factor(Laplacian laplacian, Dissection dissection, std::span<const Index> place, std::size_t most_bytes,
          const Executor &executor, const Progress &progress);
 
   Index interior() const { return interior_; }
@@ -64,7 +65,7 @@ class Factor {
   // Parts live in chunks: subtrees at the bottom, and all that is above them.
   Index chunks() const { return static_cast<Index>(chunk_.size()); }
   Index chunk_of(Index part) const { return chunk_of_[part]; }
-  bool kept(Index chunk) const { return static_cast<bool>(chunk_[chunk].panels); }
+  bool kept(Index chunk) const { return chunk_[chunk].panels != nullptr; }
   Block make(Index chunk) const;                     // of one that is not kept
   Panel panel(Index part, const Block &made) const;  // `made`: its chunk if that is not kept
   std::size_t panel_bytes(Index part) const;
@@ -74,39 +75,36 @@ class Factor {
 
  private:
   struct Chunk {
-    Index first = 0, root = 0;  // parts [first, root] of a subtree; of the last chunk, those of no other
+    Index first = 0, end = 0;  // parts [first, end): a subtree; of the last chunk, no more than where they begin
     std::size_t doubles = 0;
-    Block panels;
+    double *panels = nullptr;  // in `kept_`, or nullptr
   };
+  struct Space;  // to eliminate in
 
-  void find_rows(const mesh::Surface &surface, std::span<const Index> order, const Executor &executor);
+  void find_chunks();
+  void find_rows(const Executor &executor);
   void lay_out();
   void keep(std::size_t most_bytes);
-  void collect_entries(const Laplacian &laplacian, std::span<const Index> order, const Executor &executor);
-  bool is_below(Index part) const { return chunk_of_[part] + 1 < chunks(); }
-  double *place_of_panel(Index part, const Block &made) const;
-  // Eliminates the part and all below it in its chunk (`made`: where the chunk's panels go if they are not kept) or,
-  // above the chunks, in all; gives the part's update: what its elimination leaves on its rows, the lower triangle
-  // packed column by column.
-  Vec<double> eliminate(Index part, const Block &made, const Executor *executor, const Progress *progress) const;
-  Vec<double> eliminate_one(Index part, std::span<const double> left, std::span<const double> right,
-                            const Block &made) const;
+  void eliminate_all(const Executor &executor, const Progress &progress);
+  Vec<double> eliminate_above(Index part, Vec<Vec<double>> &updates, Pool<Space> &spaces, const Executor &executor,
+                              const Progress &progress) const;
+  void eliminate_chunk(Index chunk, double *panels, Space &space) const;
+  void eliminate(Index part, const double *left, const double *right, double *panel, Space &space) const;
 
+  const mesh::Surface *surface_;
+  Vec<double> weight_;  // an edge
   Index interior_ = 0, nodes_ = 0;
+  Vec<Index> order_;  // of elimination
   Vec<Index> place_;  // a vertex
   Vec<Part> parts_;
   Vec<Index> part_of_, chunk_of_;
   mesh::Rows rows_;
   Vec<std::size_t> offset_;  // a part: in its chunk
   Vec<Chunk> chunk_;
-  std::size_t most_rows_ = 0;
+  Block kept_;
+  std::size_t kept_doubles_ = 0;
+  std::size_t most_rows_ = 0, most_unknowns_ = 0;  // of a part: that it touches; its own with them
 
-  // The matrix, a row a place: entries to later places, and the diagonal. Kept only where panels are to be made again.
-  struct Entries {
-    Vec<std::size_t> start;
-    Vec<Index> place;
-    Vec<double> value, diagonal;
-  } entries_;
   Eigen::MatrixXd corner_;
 };
 

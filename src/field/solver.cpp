@@ -34,8 +34,8 @@ Vec<Index> connected_sets(const Eigen::MatrixXd &s) {
 
 }  // namespace
 
-Solver::Solver(const mesh::Surface &surface, const Vec<double> &edge_weight, const Nodes &nodes,
-               const Executor &executor, const Progress &progress, std::size_t most_bytes)
+Solver::Solver(const mesh::Surface &surface, Vec<double> edge_weight, const Nodes &nodes, const Executor &executor,
+               const Progress &progress, std::size_t most_bytes)
     : node_of_(nodes.of_vertex) {
   const Vec<std::uint8_t> used = pieces_with_node(surface, node_of_);
   Vec<Index> free;
@@ -52,9 +52,9 @@ Solver::Solver(const mesh::Surface &surface, const Vec<double> &edge_weight, con
     if (node_of_[v] != mesh::none) place[v] = interior + node_of_[v];
   free = {};
   progress(0.2);
-  factor_ = std::make_unique<const Factor>(Laplacian{surface, edge_weight, node_of_, static_cast<Index>(nodes.size())},
-                                           std::move(dissection), place, most_bytes, executor,
-                                           progress.part(0.2, 1, "factorisation"));
+  factor_ = std::make_unique<const Factor>(
+      Laplacian{surface, std::move(edge_weight), node_of_, static_cast<Index>(nodes.size())}, std::move(dissection),
+      place, most_bytes, executor, progress.part(0.2, 1, "factorisation"));
   schur_ = factor_->corner();
   // Constants are in the kernel of S exactly.
   for (Eigen::Index i = 0; i < schur_.rows(); ++i) schur_(i, i) = -schur_.row(i).sum();

@@ -23,7 +23,7 @@ class Solver {
  public:
   // Pieces of the surface that no node touches are left out. `most_bytes`: of the factor (Factor). Throws
   // Fault::solver, Fault::out_of_memory.
-  Solver(const mesh::Surface &surface, const Vec<double> &edge_weight, const Nodes &nodes, const Executor &executor,
+  Solver(const mesh::Surface &surface, Vec<double> edge_weight, const Nodes &nodes, const Executor &executor,
          const Progress &progress = {}, std::size_t most_bytes = SIZE_MAX);
 
   // -S_ij is the conductance between nodes i and j with all else free. Rows sum to zero.
