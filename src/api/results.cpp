@@ -74,13 +74,16 @@ ts_status ts_get_click(const ts_segmentation *segmentation, uint32_t click, ts_c
   return guarded(__func__, [&] {
     const Click &c = find_click(segmentation, click);
     need(info, "info");
+    const AllocatorScope scope(segmentation->prepared->context().allocator);
+    const ts::tooth::ClickDetails d =
+        segmentation->details.get(click, [&] { return segmentation->prepared->segmenter->details(c); });
     ts_click_info i{};
     i.target = id_of(*segmentation, c.target);
     i.neighbour = id_of(*segmentation, c.neighbour);
     std::copy_n(c.at.position.data(), 3, i.position);
     i.target_distance = c.target_distance;
-    i.neighbour_distance = c.neighbour_distance;
-    i.v_med = c.v_med;
+    i.neighbour_distance = d.neighbour_distance;
+    i.v_med = d.v_med;
     i.target_iso = c.target_iso;
     i.neighbour_iso = c.neighbour_iso;
     i.ms = {c.ms.pick, c.ms.field, c.ms.cut, c.ms.label, c.ms.total};

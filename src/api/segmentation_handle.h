@@ -35,10 +35,32 @@ class ViewCache {
   mutable std::shared_ptr<const tooth::ClickView> view_;
 };
 
+// What is worked out of a click when it is first asked for. Safe for concurrent readers.
+class DetailsCache {
+ public:
+  template <class Make>
+  tooth::ClickDetails get(uint32_t click, Make &&make) const {
+    {
+      const std::lock_guard lock(guard_);
+      if (click < known_.size() && known_[click]) return *known_[click];
+    }
+    const tooth::ClickDetails details = make();
+    const std::lock_guard lock(guard_);
+    if (click >= known_.size()) known_.resize(click + 1);
+    known_[click] = details;
+    return details;
+  }
+
+ private:
+  mutable std::mutex guard_;
+  mutable Vec<std::optional<tooth::ClickDetails>> known_;
+};
+
 }  // namespace ts::api
 
 struct ts_segmentation {
   std::unique_ptr<const ts::api::Prepared> prepared;
   ts::tooth::Session session;
   ts::api::ViewCache views;
+  ts::api::DetailsCache details;
 };

@@ -16,11 +16,12 @@ double seam(double c) {
   return c * c / (c * c + 0.25);
 }
 
-EdgePoint point_on(const Surface &s, std::span<const double> u, double iso, Index halfedge) {
+EdgePoint point_on(const Surface &s, Values u, double iso, Index halfedge) {
   EdgePoint p;
   p.a = s.from(halfedge), p.b = s.to(halfedge);
   if (p.a > p.b) std::swap(p.a, p.b);  // the same bytes from both faces
-  p.t = std::clamp((iso - u[p.a]) / (u[p.b] - u[p.a]), kLeastT, 1 - kLeastT);
+  const double a = u(p.a), b = u(p.b);
+  p.t = std::clamp((iso - a) / (b - a), kLeastT, 1 - kLeastT);
   p.position = (1 - p.t) * s.position[p.a] + p.t * s.position[p.b];
   return p;
 }
@@ -31,11 +32,12 @@ struct Crossing {
   Index leaves = mesh::none, returns = mesh::none;
 };
 
-Crossing crossing(const Surface &s, std::span<const double> u, double iso, Index f) {
+Crossing crossing(const Surface &s, Values u, double iso, Index f) {
   Crossing c;
   const auto &t = s.triangle[f];
-  if (std::isnan(u[t[0]] + u[t[1]] + u[t[2]])) return c;
-  const bool below[3] = {u[t[0]] < iso, u[t[1]] < iso, u[t[2]] < iso};
+  const double at[3] = {u(t[0]), u(t[1]), u(t[2])};
+  if (std::isnan(at[0] + at[1] + at[2])) return c;
+  const bool below[3] = {at[0] < iso, at[1] < iso, at[2] < iso};
   for (Index k = 0; k < 3; ++k) {
     const bool from = below[k], to = below[(k + 1) % 3];
     if (from && !to) c.leaves = 3 * f + k;
@@ -44,9 +46,9 @@ Crossing crossing(const Surface &s, std::span<const double> u, double iso, Index
   return c;
 }
 
-double face_gradient_norm(const Surface &s, std::span<const double> u, Index f) {
+double face_gradient_norm(const Surface &s, Values u, Index f) {
   const auto &t = s.triangle[f];
-  return geometry::face_gradient(s, f, u[t[0]], u[t[1]], u[t[2]]).norm();
+  return geometry::face_gradient(s, f, u(t[0]), u(t[1]), u(t[2])).norm();
 }
 
 struct Sums {
@@ -64,15 +66,24 @@ struct Sums {
   }
 };
 
+// Calls visit(i, length, concavity) for the segments of a line.
+void each_segment(std::span<const double> concavity, const Polyline &line, const auto &visit) {
+  const auto at = [&](const EdgePoint &p) { return (1 - p.t) * concavity[p.a] + p.t * concavity[p.b]; };
+  for (std::size_t i = 0; i < line.faces.size(); ++i) {
+    const EdgePoint &p = line.points[i], &q = line.points[(i + 1) % line.points.size()];
+    visit(i, (q.position - p.position).norm(), (at(p) + at(q)) / 2);
+  }
+}
+
 }  // namespace
 
-Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double iso) {
+Vec<Polyline> contour(const Surface &surface, Values u, double iso) {
   Vec<Index> all(surface.faces());
   std::iota(all.begin(), all.end(), 0);
   return contour(surface, u, iso, all);
 }
 
-Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double iso, std::span<const Index> among) {
+Vec<Polyline> contour(const Surface &surface, Values u, double iso, std::span<const Index> among) {
   constexpr std::size_t kNowhere = SIZE_MAX;
   Vec<Index> crossed;
   Vec<Crossing> way;
@@ -114,16 +125,19 @@ Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double 
   return lines;
 }
 
-Score score(const Surface &surface, std::span<const double> u, std::span<const double> concavity,
-            std::span<const Polyline> lines) {
+Score score(const Surface &surface, Values u, std::span<const double> concavity, std::span<const Polyline> lines) {
   Sums sums;
-  const auto at = [&](const EdgePoint &p) { return (1 - p.t) * concavity[p.a] + p.t * concavity[p.b]; };
   for (const Polyline &line : lines)
-    for (std::size_t i = 0; i < line.faces.size(); ++i) {
-      const EdgePoint &p = line.points[i], &q = line.points[(i + 1) % line.points.size()];
-      sums.add((q.position - p.position).norm(), face_gradient_norm(surface, u, line.faces[i]), (at(p) + at(q)) / 2);
-    }
+    each_segment(concavity, line, [&](std::size_t i, double length, double c) {
+      sums.add(length, face_gradient_norm(surface, u, line.faces[i]), c);
+    });
   return sums.score();
+}
+
+double mean_concavity(std::span<const double> concavity, const Polyline &line) {
+  Sums sums;
+  each_segment(concavity, line, [&](std::size_t, double length, double c) { sums.add(length, 1, c); });
+  return sums.score().concavity;
 }
 
 Vec<Score> score_all(const Surface &surface, std::span<const double> u, std::span<const double> concavity,
@@ -143,7 +157,9 @@ Vec<Score> score_all(const Surface &surface, std::span<const double> u, std::spa
       const double iso = iso_value(k, n);
       if (iso <= low) continue;
       if (iso > high) break;
-      if (gradient < 0) gradient = face_gradient_norm(surface, u, f);
+      if (gradient < 0)
+        gradient = face_gradient_norm(
+            surface, [&](Index v) { return u[v]; }, f);
       const double s = (iso - low) / (high - low);
       const bool early = iso <= middle;
       const Index a = early ? t[0] : t[1], b = early ? t[1] : t[2];

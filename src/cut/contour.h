@@ -3,15 +3,15 @@
 
 #include <span>
 
-#include "cut/polyline.h"
+#include "cut/space.h"
 
 namespace ts::cut {
 
 // The contour u = iso as polylines, with u < iso on their left (seen from outside). Faces with a NaN are not crossed.
 // A vertex with u = iso counts as above it, so that lines never meet.
-Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double iso);
+Vec<Polyline> contour(const Surface &surface, Values u, double iso);
 // The same within some faces (ascending): lines that leave them are open there.
-Vec<Polyline> contour(const Surface &surface, std::span<const double> u, double iso, std::span<const Index> among);
+Vec<Polyline> contour(const Surface &surface, Values u, double iso, std::span<const Index> among);
 
 // Means along a line or a whole contour.
 struct Score {
@@ -21,8 +21,10 @@ struct Score {
   double harmonic = 0;   // harmonic mean of |grad u|
 };
 
-Score score(const Surface &surface, std::span<const double> u, std::span<const double> concavity,
-            std::span<const Polyline> lines);
+Score score(const Surface &surface, Values u, std::span<const double> concavity, std::span<const Polyline> lines);
+
+// The concavity of a score along one line.
+double mean_concavity(std::span<const double> concavity, const Polyline &line);
 
 // Iso-value k of n, spread evenly inside (0, 1): neither end value is one.
 inline double iso_value(std::size_t k, std::size_t n) {

@@ -9,22 +9,26 @@
 namespace ts::cut {
 namespace {
 
-// -1 inside and 1 outside; at the border the area-weighted mean over the faces of the vertex. `mixed`: where it is
-// between.
-Vec<double> sides(const Surface &s, const Mask &inside, std::span<const Index> faces, Vec<geometry::PathStart> &mixed) {
-  Vec<double> psi(s.vertices(), 1);
-  for (const Index v : vertices_of(s, faces)) {
-    double in = 0, out = 0;
-    for (const Index f : s.vertex_faces[v]) (inside[f] ? in : out) += s.face_area[f];
-    psi[v] = out > 0 ? (out - in) / (out + in) : -1;
-    if (out > 0) mixed.push_back({v});
+// psi: -1 inside and 1 outside; at the border the area-weighted mean over the faces of the vertex. Gives the vertices
+// where it is between.
+Vec<geometry::PathStart> set_sides(const Surface &s, Space &space) {
+  Vec<geometry::PathStart> mixed;
+  for (const Index f : space.inside.touched()) {
+    if (!space.inside[f]) continue;
+    for (const Index v : s.triangle[f]) {
+      if (space.level[v] != 1) continue;
+      double in = 0, out = 0;
+      for (const Index g : s.vertex_faces[v]) (space.inside[g] ? in : out) += s.face_area[g];
+      space.level.set(v, out > 0 ? (out - in) / (out + in) : -1);
+      if (out > 0) mixed.push_back({v});
+    }
   }
-  return psi;
+  return mixed;
 }
 
-Vec<Index> near_border(const Surface &s, const Vec<geometry::PathStart> &mixed, double width) {
+Vec<Index> near_border(const Surface &s, const Vec<geometry::PathStart> &mixed, double width, Space &space) {
   Vec<Index> near;
-  geometry::PathFinder(s).search(
+  space.paths.search(
       mixed, [&](Index e) { return s.edge_length(e); },
       [&](Index v, double d, Index) {
         if (d > width) return false;
@@ -37,11 +41,12 @@ Vec<Index> near_border(const Surface &s, const Vec<geometry::PathStart> &mixed, 
 
 // Conjugate gradients on the vertices `near`; psi is held elsewhere.
 void smooth_near(const Surface &s, std::span<const double> cotangent, double radius, const Vec<Index> &near,
-                 Vec<double> &psi) {
+                 Space &space) {
   const std::size_t n = near.size();
   const double r2 = radius * radius;
-  Vec<Index> place(s.vertices(), mesh::none);
-  for (Index i = 0; i < n; ++i) place[near[i]] = i;
+  SparseArray<double> &psi = space.level;
+  SparseArray<Index> &place = space.place;
+  for (Index i = 0; i < n; ++i) place.set(near[i], i);
   struct Link {
     Index to;
     double weight;
@@ -65,6 +70,7 @@ void smooth_near(const Surface &s, std::span<const double> cotangent, double rad
     start[i + 1] = link.size();
     x[i] = psi[v];
   }
+  place.clear();
   const auto product = [&](const Vec<double> &a, Vec<double> &b) {
     for (std::size_t i = 0; i < n; ++i) {
       double sum = 0;
@@ -94,22 +100,23 @@ void smooth_near(const Surface &s, std::span<const double> cotangent, double rad
     for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + next / rho * p[i];
     rho = next;
   }
-  for (std::size_t i = 0; i < n; ++i) psi[near[i]] = x[i];
+  for (std::size_t i = 0; i < n; ++i) psi.set(near[i], x[i]);
 }
 
 // Gives the vertices of `near` on one side that cannot be reached on that side from the vertices that `start` names, or
 // from beyond `near`, to the other side.
 void drop_unreached(const Surface &s, const Vec<Index> &near, bool negative, std::span<const Index> start,
-                    Vec<double> &psi) {
+                    Space &space) {
   constexpr double kFlip = 1e-3;
   constexpr std::uint8_t kBeyond = 0, kNear = 1, kSeen = 2;
-  Vec<std::uint8_t> state(s.vertices(), kBeyond);
-  for (const Index v : near) state[v] = kNear;
+  SparseArray<double> &psi = space.level;
+  SparseArray<std::uint8_t> &state = space.marks;
+  for (const Index v : near) state.set(v, kNear);
   const auto on_side = [&](Index v) { return (psi[v] < 0) == negative; };
   Vec<Index> stack;
   const auto enter = [&](Index v) {
     if (state[v] != kNear || !on_side(v)) return;
-    state[v] = kSeen;
+    state.set(v, kSeen);
     stack.push_back(v);
   };
   for (const Index v : start) enter(v);
@@ -122,31 +129,32 @@ void drop_unreached(const Surface &s, const Vec<Index> &near, bool negative, std
     for (const Index e : s.vertex_edges[v]) enter(s.other_end(e, v));
   }
   for (const Index v : near)
-    if (state[v] == kNear && on_side(v)) psi[v] = negative ? kFlip : -kFlip;
+    if (state[v] == kNear && on_side(v)) psi.set(v, negative ? kFlip : -kFlip);
+  state.clear();
 }
 
 }  // namespace
 
-Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> cotangent, const Mask &mask, double radius,
-                          std::span<const Index> seeds) {
-  Mask inside = mask;
-  keep_seeded(surface, seeds, inside);
-  const Vec<Index> faces = faces_of(inside);
-  Vec<geometry::PathStart> mixed;
-  Vec<double> psi = sides(surface, inside, faces, mixed);
+Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> cotangent, double radius,
+                          std::span<const Index> seeds, Space &space) {
+  keep_seeded(surface, seeds, space.inside);
+  const Vec<geometry::PathStart> mixed = set_sides(surface, space);
   // Two rings at least, so that the line cannot leave what is looked at.
-  const Vec<Index> near = near_border(surface, mixed, std::max(4 * radius, 2 * surface.mean_edge));
+  const Vec<Index> near = near_border(surface, mixed, std::max(4 * radius, 2 * surface.mean_edge), space);
   Vec<Index> around, outer;
   for (const Index v : near) {
-    around.insert(around.end(), surface.vertex_faces[v].begin(), surface.vertex_faces[v].end());
-    if (psi[v] == 1) outer.push_back(v);
+    for (const Index f : surface.vertex_faces[v])
+      if (!space.faces[f]) space.faces.set(f, 1), around.push_back(f);
+    if (space.level[v] == 1) outer.push_back(v);
   }
+  space.faces.clear();
   std::sort(around.begin(), around.end());
-  around.erase(std::unique(around.begin(), around.end()), around.end());
-  if (radius > 0) smooth_near(surface, cotangent, radius, near, psi);
-  drop_unreached(surface, near, true, seeds, psi);
-  drop_unreached(surface, near, false, outer, psi);
-  Vec<Polyline> lines = contour(surface, psi, 0, around);
+  if (radius > 0) smooth_near(surface, cotangent, radius, near, space);
+  drop_unreached(surface, near, true, seeds, space);
+  drop_unreached(surface, near, false, outer, space);
+  Vec<Polyline> lines = contour(
+      surface, [&](Index v) { return space.level[v]; }, 0, around);
+  space.level.clear();
   std::stable_sort(lines.begin(), lines.end(),
                    [](const Polyline &a, const Polyline &b) { return a.length > b.length; });
   return lines;

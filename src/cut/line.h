@@ -8,7 +8,8 @@ namespace ts::cut {
 // The zero contour of psi, (M + r^2 L) psi = M psi0 near the border and psi0 elsewhere, psi0 = -1 inside and 1 outside.
 // `cotangent` are edge weights. Only what bounds the part with the seeds is kept: no islands, no pinched-off holes.
 // Longest first; the inside is on the left.
-Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> cotangent, const Mask &inside, double radius,
-                          std::span<const Index> seeds);
+// The region is space.inside; what is left of it afterwards is that part.
+Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> cotangent, double radius,
+                          std::span<const Index> seeds, Space &space);
 
 }  // namespace ts::cut

@@ -20,27 +20,30 @@ double price(const Surface &s, std::span<const double> seam, Index e) {
 }
 
 // Faces all of whose vertices are within `width` of the border of the region, ascending.
-Vec<Index> band_of(const Surface &s, const Mask &inside, double width) {
+Vec<Index> band_of(const Surface &s, double width, Space &space) {
+  const Mask &inside = space.inside;
   Vec<geometry::PathStart> border;
-  for (const Index f : faces_of(inside))
+  for (const Index f : inside.touched()) {
+    if (!inside[f]) continue;
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       if (s.twin[h] == mesh::none || inside[mesh::face_of(s.twin[h])]) continue;
       border.push_back({s.from(h)});
       border.push_back({s.to(h)});
     }
+  }
   Vec<Index> faces;
-  Vec<std::uint8_t> near(s.vertices(), 0);
-  geometry::PathFinder(s).search(
+  space.paths.search(
       border, [&](Index e) { return s.edge_length(e); },
       [&](Index v, double d, Index) {
         if (d > width) return false;
-        near[v] = 1;
+        space.marks.set(v, 1);
         for (const Index f : s.vertex_faces[v]) {  // complete with its last corner
           const auto &t = s.triangle[f];
-          if (near[t[0]] + near[t[1]] + near[t[2]] == 3) faces.push_back(f);
+          if (space.marks[t[0]] + space.marks[t[1]] + space.marks[t[2]] == 3) faces.push_back(f);
         }
         return true;
       });
+  space.marks.clear();
   std::sort(faces.begin(), faces.end());
   return faces;
 }
@@ -54,36 +57,39 @@ Vec<double> seams(const Surface &surface, std::span<const double> at_vertex, std
   return seam;
 }
 
-void refine(const Surface &surface, std::span<const double> phi, std::span<const double> seam,
-            std::span<const std::uint8_t> fixed, const RefineOptions &options, Mask &inside) {
-  const Vec<Index> band = band_of(surface, inside, options.band);
-  Vec<Index> place(surface.faces(), mesh::none);
-  for (Index i = 0; i < band.size(); ++i) place[band[i]] = i;
+void refine(const Surface &surface, Values phi, std::span<const double> seam, Kinds fixed, const RefineOptions &options,
+            Space &space) {
+  Mask &inside = space.inside;
+  const Vec<Index> band = band_of(surface, options.band, space);
+  for (Index i = 0; i < band.size(); ++i) space.place.set(band[i], i);
   MaxFlow flow(band.size());
   for (Index i = 0; i < band.size(); ++i) {
     const Index f = band[i];
     const auto &t = surface.triangle[f];
-    const double stay = kStay * std::abs(phi[t[0]] + phi[t[1]] + phi[t[2]]) / 3 * surface.face_area[f];
+    const double stay = kStay * std::abs(phi(t[0]) + phi(t[1]) + phi(t[2])) / 3 * surface.face_area[f];
     double in = inside[f] ? stay : 0, out = inside[f] ? 0 : stay;
     if (!std::isfinite(stay)) in = 0, out = kNever;
     for (const Index v : t) {
-      if (fixed[v] == 1) in += kNever;
-      if (fixed[v] == 2) out += kNever;
+      const std::uint8_t kind = fixed(v);
+      if (kind == 1) in += kNever;
+      if (kind == 2) out += kNever;
     }
     for (Index k = 0; k < 3; ++k) {
       const Index h = 3 * f + k;
       if (surface.twin[h] == mesh::none) continue;
-      const Index g = mesh::face_of(surface.twin[h]), j = place[g];
+      const Index g = mesh::face_of(surface.twin[h]), j = space.place[g];
+      if (j != mesh::none && i >= j) continue;
       const double cost = price(surface, seam, surface.edge_of[h]);
       if (j == mesh::none)
         (inside[g] ? in : out) += cost;  // what is beyond the band stays as it is
-      else if (i < j)
+      else
         flow.add_edge(i, j, cost, cost);
     }
     flow.add_terminals(i, in, out);
   }
+  space.place.clear();
   flow.solve();
-  for (Index i = 0; i < band.size(); ++i) inside[band[i]] = flow.with_source(i);
+  for (Index i = 0; i < band.size(); ++i) inside.set(band[i], flow.with_source(i));
 }
 
 }  // namespace ts::cut

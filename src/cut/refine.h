@@ -16,8 +16,8 @@ Vec<double> seams(const Surface &surface, std::span<const double> at_vertex, std
 
 // A face keeps to its side with 0.07 |phi| area (phi the mean of its corners, about -1 deep inside to 1 far outside);
 // an edge between faces of different sides costs |e| (0.02 + 0.98 / (1 + (seam / 0.5)^2)). `fixed` (a vertex): 1 = its
-// faces must be inside, 2 = outside, 0 = free.
-void refine(const Surface &surface, std::span<const double> phi, std::span<const double> seam,
-            std::span<const std::uint8_t> fixed, const RefineOptions &options, Mask &inside);
+// faces must be inside, 2 = outside, 0 = free. The region is space.inside.
+void refine(const Surface &surface, Values phi, std::span<const double> seam, Kinds fixed, const RefineOptions &options,
+            Space &space);
 
 }  // namespace ts::cut

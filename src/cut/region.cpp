@@ -11,91 +11,130 @@ void neighbours(const Surface &s, Index f, const auto &visit) {
     if (const Index t = s.twin[3 * f + k]; t != mesh::none) visit(mesh::face_of(t));
 }
 
-// Faces that fulfil `wanted`, reached over edges from those of them at a seed vertex.
-Mask flood(const Surface &s, std::span<const Index> seeds, const auto &wanted) {
-  Mask mask(s.faces(), 0);
-  Vec<Index> stack;
-  const auto enter = [&](Index f) {
-    if (mask[f] || !wanted(f)) return;
-    mask[f] = 1;
-    stack.push_back(f);
-  };
-  for (const Index v : seeds)
-    for (const Index f : s.vertex_faces[v]) enter(f);
-  while (!stack.empty()) {
-    const Index f = stack.back();
-    stack.pop_back();
-    neighbours(s, f, enter);
-  }
-  return mask;
-}
-
 bool on_rim(const Surface &s, Index f) {
   return s.twin[3 * f] == mesh::none || s.twin[3 * f + 1] == mesh::none || s.twin[3 * f + 2] == mesh::none;
 }
 
 }  // namespace
 
-Mask grow(const Surface &surface, std::span<const double> phi, std::span<const Index> seeds) {
-  return flood(surface, seeds, [&](Index f) {
-    const auto &t = surface.triangle[f];
-    return phi[t[0]] + phi[t[1]] + phi[t[2]] < 0;
+Growth::Growth(const Surface &surface, Values phi, std::span<const Index> seeds, Mask &inside)
+    : surface_(surface), phi_(phi), inside_(inside) {
+  for (const Index v : seeds)
+    for (const Index f : surface.vertex_faces[v]) beside_.push_back(f);
+}
+
+void Growth::rise(double level) {
+  const auto enter = [&](Index f) {
+    if (inside_[f]) return;
+    const auto &t = surface_.triangle[f];
+    const double a = phi_(t[0]) - level, b = phi_(t[1]) - level, c = phi_(t[2]) - level;
+    if (!(a + b + c < 0)) {
+      beside_.push_back(f);
+      return;
+    }
+    inside_.set(f, 1);
+    area_ += surface_.face_area[f];
+    stack_.push_back(f);
+    if (!(a < 0 && b < 0 && c < 0)) mixed_.push_back(f);
+  };
+  Vec<Index> waiting;
+  waiting.swap(beside_);
+  std::erase_if(mixed_, [&](Index f) {
+    const auto &t = surface_.triangle[f];
+    return phi_(t[0]) - level < 0 && phi_(t[1]) - level < 0 && phi_(t[2]) - level < 0;
   });
+  for (const Index f : waiting) {
+    enter(f);
+    while (!stack_.empty()) {
+      const Index g = stack_.back();
+      stack_.pop_back();
+      neighbours(surface_, g, enter);
+    }
+  }
+  std::erase_if(beside_, [&](Index f) { return inside_[f] != 0; });
 }
 
 void keep_seeded(const Surface &surface, std::span<const Index> seeds, Mask &inside) {
-  Mask kept = flood(surface, seeds, [&](Index f) { return inside[f] != 0; });
-  inside.swap(kept);
+  constexpr std::uint8_t kSeen = 2;
+  Vec<Index> stack;
+  const auto enter = [&](Index f) {
+    if (inside[f] != 1) return;
+    inside.set(f, kSeen);
+    stack.push_back(f);
+  };
+  for (const Index v : seeds)
+    for (const Index f : surface.vertex_faces[v]) enter(f);
+  while (!stack.empty()) {
+    const Index f = stack.back();
+    stack.pop_back();
+    neighbours(surface, f, enter);
+  }
+  for (const Index f : inside.touched())
+    if (inside[f] == 1) inside.set(f, 0);
+  for (const Index f : inside.touched())
+    if (inside[f] == kSeen) inside.set(f, 1);
 }
 
-void fill_holes(const Surface &surface, double area, std::span<const std::uint8_t> foreign, Mask &inside) {
-  if (!(area > 0)) return;
+Vec<Index> fill_holes(const Surface &surface, double area, Kinds foreign, std::span<const Index> beside, Mask &inside) {
+  Vec<Index> filled;
+  if (!(area > 0)) return filled;
   constexpr std::uint8_t kOpen = 2, kFlood = 3;  // known to be no hole; part of the set looked at
   Vec<Index> open, set;
   const auto enclosed_set = [&](Index start) {
     set.assign(1, start);
-    inside[start] = kFlood;
+    inside.set(start, kFlood);
     double sum = 0;
     bool enclosed = true;
     for (std::size_t i = 0; i < set.size() && enclosed; ++i) {
       const Index f = set[i];
       sum += surface.face_area[f];
       enclosed = sum <= area && !on_rim(surface, f);
-      for (const Index v : surface.triangle[f]) enclosed = enclosed && !foreign[v];
+      for (const Index v : surface.triangle[f]) enclosed = enclosed && !foreign(v);
       neighbours(surface, f, [&](Index next) {
         if (inside[next] == kOpen) enclosed = false;
         if (inside[next] != 0) return;
-        inside[next] = kFlood;
+        inside.set(next, kFlood);
         set.push_back(next);
       });
     }
     return enclosed;
   };
-  for (Index f = 0; f < surface.faces(); ++f) {
-    if (inside[f] != 1) continue;
-    neighbours(surface, f, [&](Index start) {
-      if (inside[start] != 0) return;
-      const bool enclosed = enclosed_set(start);
-      for (const Index g : set) inside[g] = enclosed ? 1 : kOpen;
-      if (!enclosed) open.insert(open.end(), set.begin(), set.end());
-    });
+  for (const Index start : beside) {
+    if (inside[start] != 0) continue;
+    const bool enclosed = enclosed_set(start);
+    for (const Index g : set) inside.set(g, enclosed ? 1 : kOpen);
+    Vec<Index> &to = enclosed ? filled : open;
+    to.insert(to.end(), set.begin(), set.end());
   }
-  for (const Index f : open) inside[f] = 0;
+  for (const Index f : open) inside.set(f, 0);
+  return filled;
 }
 
 Vec<Index> faces_of(const Mask &inside) {
   Vec<Index> faces;
-  for (Index f = 0; f < inside.size(); ++f)
+  for (const Index f : inside.touched())
     if (inside[f]) faces.push_back(f);
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
 }
 
-Vec<Index> vertices_of(const Surface &surface, std::span<const Index> faces) {
-  Vec<std::uint8_t> seen(surface.vertices(), 0);
+Vec<Index> beside(const Surface &surface, const Mask &inside) {
+  Vec<Index> faces;
+  for (const Index f : inside.touched())
+    if (inside[f])
+      neighbours(surface, f, [&](Index g) {
+        if (!inside[g]) faces.push_back(g);
+      });
+  return faces;
+}
+
+Vec<Index> vertices_of(const Surface &surface, std::span<const Index> faces, Space &space) {
   Vec<Index> vertices;
   for (const Index f : faces)
     for (const Index v : surface.triangle[f])
-      if (!seen[v]) seen[v] = 1, vertices.push_back(v);
+      if (!space.marks[v]) space.marks.set(v, 1), vertices.push_back(v);
+  space.marks.clear();
   std::sort(vertices.begin(), vertices.end());
   return vertices;
 }
@@ -104,10 +143,6 @@ double area_of(const Surface &surface, std::span<const Index> faces) {
   double area = 0;
   for (const Index f : faces) area += surface.face_area[f];
   return area;
-}
-
-bool touches_border(const Surface &surface, std::span<const Index> faces) {
-  return std::any_of(faces.begin(), faces.end(), [&](Index f) { return on_rim(surface, f); });
 }
 
 }  // namespace ts::cut

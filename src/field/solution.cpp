@@ -46,6 +46,11 @@ void Solution::evaluate(Index part) {
   milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
+void Solution::evaluate_all() {
+  for (Index i = 0; i < factor_->parts().size(); ++i)
+    if (!space_->done[i]) evaluate(i);
+}
+
 // L11^T x = source - L21^T x_rows.
 void Solution::substitute(Index part) {
   Space &s = *space_;

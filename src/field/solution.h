@@ -53,6 +53,8 @@ class Solution {
     return space_->x[place];
   }
 
+  void evaluate_all();
+
   std::size_t bytes() const { return bytes_; }           // of the factor read so far
   double milliseconds() const { return milliseconds_; }  // spent on it
 

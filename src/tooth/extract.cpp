@@ -5,6 +5,7 @@
 
 #include "cut/line.h"
 #include "cut/refine.h"
+#include "tooth/level.h"
 
 namespace ts::tooth {
 namespace {
@@ -24,238 +25,169 @@ Vec<double> held_for(const Prepared &p, const Pick &pick, Index group) {
   return held;
 }
 
-Vec<Index> seeds_of(const Prepared &p, Index group) {
-  Vec<Index> seeds;
-  for (Index n = 0; n < p.nodes.size(); ++n)
-    if (p.nodes.group[n] == group && !p.outlier[n])
-      seeds.insert(seeds.end(), p.nodes.vertices[n].begin(), p.nodes.vertices[n].end());
-  std::sort(seeds.begin(), seeds.end());
-  return seeds;
+field::Solution solve(const Prepared &p, const Pick &pick, Index group) {
+  return p.solver->extend(p.solver->solve_nodes(held_for(p, pick, group), p.options.alpha));
 }
 
-// 1 = seeds of the tooth, 2 = of other teeth and gingiva, 0 = neither.
-Vec<std::uint8_t> fixed_for(const Prepared &p, Index group) {
-  Vec<std::uint8_t> fixed(p.surface->vertices(), 0);
-  for (Index n = 0; n < p.nodes.size(); ++n) {
-    if (p.outlier[n]) continue;
-    for (const Index v : p.nodes.vertices[n]) fixed[v] = p.nodes.group[n] == group ? 1 : 2;
-  }
-  return fixed;
-}
-
-// 1 = seeds of other teeth and gingiva: no hole may be filled over them.
-Vec<std::uint8_t> foreign_of(Vec<std::uint8_t> fixed) {
-  for (std::uint8_t &f : fixed) f = f == 2;
-  return fixed;
-}
-
-// With everything else held, a tooth's own field decides: what it is does then not depend on the pair it was separated
-// in. The paper's rule looks at the field of the pair.
-bool own_field_decides(const Options &o) {
-  return o.background == Background::all && o.cut_rule != CutRule::gradient;
-}
-
-// Levels of 1 - u_own that are tried; finer or wider ones change the mean IoU by less than .001.
-constexpr double kLevels[] = {0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
-// A crown's area over the width of its stretch of the arch, mm, and how much it scatters (log-normal, wide, since half
-// erupted and worn crowns are crowns too): labelled scans; .4 to .7 do as well.
-constexpr double kAreaPerWidth = 17, kAreaScatter = 0.55;
-
-double plausible(const Prepared &p, Index group, double area) {
-  area /= p.widened;
-  if (area < p.options.area_min || area > p.options.area_max) return 1e-3;
-  if (!(p.width[group] > 0)) return 1;
-  const double z = std::log(area / (kAreaPerWidth * p.width[group])) / kAreaScatter;
-  return std::exp(-z * z / 2);
-}
-
-// The component rule: of each level the component of `rising` (0 on the tooth's seeds) below it that holds the seeds,
-// holes filled; the best is that whose border has the largest concavity x sqrt(harmonic mean gradient), times how
-// plausible its area is. NaN if none has a border.
-double best_level(const Prepared &p, const Vec<double> &rising, Index group, std::span<const double> levels) {
-  const mesh::Surface &surface = *p.surface;
-  const Vec<Index> seeds = seeds_of(p, group);
-  const Vec<std::uint8_t> foreign = foreign_of(fixed_for(p, group));
-  double best = -1, found = std::numeric_limits<double>::quiet_NaN();
-  Vec<double> phi(rising.size()), alone(rising.size(), 1);
-  for (const double level : levels) {
-    for (std::size_t v = 0; v < phi.size(); ++v) phi[v] = rising[v] - level;
-    cut::Mask inside = cut::grow(surface, phi, seeds);
-    cut::fill_holes(surface, p.widened * p.options.hole_area, foreign, inside);
-    const Vec<Index> faces = cut::faces_of(inside), corners = cut::vertices_of(surface, faces);
-    // The contour's part around this component: where phi is kept negative on it alone.
-    for (const Index v : corners) alone[v] = phi[v];
-    Vec<Index> around;
-    for (const Index v : corners)
-      for (const Index f : surface.vertex_faces[v]) {
-        const auto &t = surface.triangle[f];
-        if (alone[t[0]] >= 0 || alone[t[1]] >= 0 || alone[t[2]] >= 0) around.push_back(f);
-      }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    const cut::Score s = cut::score(surface, rising, p.concavity, cut::contour(surface, alone, 0, around));
-    for (const Index v : corners) alone[v] = 1;
-    const double value = s.concavity * std::sqrt(s.harmonic) * plausible(p, group, cut::area_of(surface, faces));
-    if (s.length > 0 && value > best) best = value, found = level;
-  }
-  return found;
-}
-
-// 0 on the seeds of one of the two teeth, growing outwards, from the field of the pair.
-Vec<double> rising_from(const Vec<double> &field, bool falls) {
-  Vec<double> rising(field);
-  if (falls)
-    for (double &x : rising) x = 1 - x;
-  return rising;
-}
-
-// Sampled iso-values below `limit`.
-Vec<double> levels_below(const Prepared &p, double limit) {
-  Vec<double> levels;
-  for (std::size_t k = 0; k < p.options.contours; ++k)
-    if (const double iso = cut::iso_value(k, p.options.contours); iso < limit) levels.push_back(iso);
-  return levels;
-}
-
-double mean_inside(const Prepared &p, const Vec<double> &own, const Vec<Index> &faces) {
+double mean_inside(const Prepared &p, Fields &fields, bool of_target, const Vec<Index> &faces) {
   double sum = 0, area = 0;
   for (const Index f : faces) {
     const auto &t = p.surface->triangle[f];
-    sum += p.surface->face_area[f] * (own[t[0]] + own[t[1]] + own[t[2]]) / 3;
+    const double a = fields.own(t[0], of_target), b = fields.own(t[1], of_target), c = fields.own(t[2], of_target);
+    sum += p.surface->face_area[f] * (a + b + c) / 3;
     area += p.surface->face_area[f];
   }
   return area > 0 ? sum / area : 0;
 }
 
-void add_cuts(const Prepared &p, const Fields &fields, Tooth &tooth, const cut::Mask &inside) {
-  bool open = false;
-  double length = 0, gradient = 0;
-  for (cut::Polyline &line : cut::smooth_line(*p.surface, p.cotangent, inside, p.options.smooth_radius, tooth.seeds)) {
-    const cut::Score s = cut::score(*p.surface, fields.u, p.concavity, {&line, 1});
-    open = open || !line.closed;
-    length += s.length;
-    gradient += s.length * s.gradient;
-    tooth.loops.push_back({std::move(line), tooth.iso, s.gradient, s.concavity});
-  }
-  if (length > 0) tooth.gradient = gradient / length;
-  if (open) tooth.warnings |= Warning::open_at_border;
-  if (tooth.loops.size() != 1) tooth.warnings |= Warning::several_loops;
-}
-
 // Geometric mean of how far the field is one inside and of how much of the cut runs in seams, less with a warning.
 // kSeam scales it so that what is given 0.9 can be relied on: docs/accuracy.md has the calibration.
-double confidence(const Prepared &p, const Vec<double> &own, const Tooth &tooth) {
+double confidence(double inside, const Tooth &tooth) {
   constexpr double kSeam = 0.6;
   double length = 0, concavity = 0;
   for (const Cut &c : tooth.loops) length += c.line.length, concavity += c.line.length * c.concavity;
   const double seam = length > 0 ? std::min(1.0, concavity / length / kSeam) : 0;
-  return std::sqrt(std::clamp(mean_inside(p, own, tooth.faces), 0.0, 1.0) * seam * (tooth.warnings ? 0.5 : 1));
+  return std::sqrt(std::clamp(inside, 0.0, 1.0) * seam * (tooth.warnings ? 0.5 : 1));
+}
+
+void add_cuts(const Prepared &p, Tooth &tooth, cut::Space &space) {
+  bool open = false;
+  for (cut::Polyline &line : cut::smooth_line(*p.surface, p.cotangent, p.options.smooth_radius, tooth.seeds, space)) {
+    open = open || !line.closed;
+    tooth.loops.push_back({std::move(line), tooth.iso, 0, 0});
+  }
+  for (Cut &c : tooth.loops) c.concavity = cut::mean_concavity(p.concavity, c.line);
+  if (open) tooth.warnings |= Warning::open_at_border;
+  if (tooth.loops.size() != 1) tooth.warnings |= Warning::several_loops;
 }
 
 }  // namespace
 
-Fields solve_fields(const Prepared &p, const Pick &pick) {
-  Vec<Eigen::VectorXd> at_nodes;
-  at_nodes.push_back(p.solver->solve_nodes(held_for(p, pick, pick.target), p.options.alpha));
-  if (pick.neighbour != mesh::none)
-    at_nodes.push_back(p.solver->solve_nodes(held_for(p, pick, pick.neighbour), p.options.alpha));
-  Vec<Vec<double>> extended;
-  for (const Eigen::VectorXd &u : at_nodes) extended.push_back(p.solver->extend_to_all(u));
-  Fields fields;
-  fields.target = std::move(extended[0]);
-  if (extended.size() > 1)
-    fields.neighbour = std::move(extended[1]);
-  else {
-    fields.neighbour.resize(fields.target.size());
-    for (std::size_t v = 0; v < fields.target.size(); ++v) fields.neighbour[v] = 0 * fields.target[v];  // NaN stays
-  }
-  fields.u.resize(fields.target.size());
-  for (std::size_t v = 0; v < fields.u.size(); ++v) fields.u[v] = (1 - fields.target[v] + fields.neighbour[v]) / 2;
-  return fields;
+Fields::Fields(const Prepared &p, const Pick &pick, bool whole) : prepared_(p), target_(solve(p, pick, pick.target)) {
+  if (pick.neighbour != mesh::none) neighbour_.emplace(solve(p, pick, pick.neighbour));
+  if (!whole) return;
+  target_.evaluate_all();
+  if (neighbour_) neighbour_->evaluate_all();
 }
 
-Selection select_cuts(const Prepared &p, const Pick &pick, const Fields &fields) {
+Vec<double> Fields::all_of_u() {
+  Vec<double> all(prepared_.surface->vertices());
+  for (Index v = 0; v < all.size(); ++v) all[v] = u(v);
+  return all;
+}
+
+std::size_t Fields::bytes() const {
+  return target_.bytes() + (neighbour_ ? neighbour_->bytes() : 0);
+}
+
+double Fields::milliseconds() const {
+  return target_.milliseconds() + (neighbour_ ? neighbour_->milliseconds() : 0);
+}
+
+bool own_field_decides(const Options &o) {
+  return o.background == Background::all && o.cut_rule != CutRule::gradient;
+}
+
+Selection select_cuts(const Prepared &p, const Pick &pick, Fields &fields) {
   Selection s;
-  s.v_med = cut::histogram(fields.u, p.options.histogram_bins).v_med;
-  s.target_iso = s.neighbour_iso = std::numeric_limits<double>::quiet_NaN();
+  s.v_med = s.target_iso = s.neighbour_iso = std::numeric_limits<double>::quiet_NaN();
+  const bool own = own_field_decides(p.options);
+  Vec<double> u;
+  if (!own) {
+    u = fields.all_of_u();
+    s.v_med = cut::histogram(u, p.options.histogram_bins).v_med;
+  }
   switch (p.options.cut_rule) {
     case CutRule::half:
       s.target_iso = p.options.background == Background::all ? 0.25 : s.v_med / 2;
       s.neighbour_iso = p.options.background == Background::all ? 0.75 : (1 + s.v_med) / 2;
       break;
     case CutRule::gradient: {
-      const Vec<cut::Score> scores = cut::score_all(*p.surface, fields.u, p.concavity, p.options.contours);
+      const Vec<cut::Score> scores = cut::score_all(*p.surface, u, p.concavity, p.options.contours);
       const cut::Chosen chosen = cut::largest_gradient(scores, s.v_med);
       if (chosen.target != SIZE_MAX) s.target_iso = cut::iso_value(chosen.target, scores.size());
       if (chosen.neighbour != SIZE_MAX) s.neighbour_iso = cut::iso_value(chosen.neighbour, scores.size());
       break;
     }
-    case CutRule::component: {
-      const bool own = own_field_decides(p.options);
-      const auto level = [&](Index group, const Vec<double> &field, bool falls, double limit) {
-        const Vec<double> levels = own ? Vec<double>(std::begin(kLevels), std::end(kLevels)) : levels_below(p, limit);
-        const double best = best_level(p, rising_from(field, falls), group, levels);
-        // No border at any level: a piece of the scan that is all tooth.
-        return own ? (std::isnan(best) ? 0.5 : best) / 2 : best;
-      };
-      const bool two = pick.neighbour != mesh::none;
-      p.executor->each(two ? 2 : 1, [&](std::size_t i) {
-        if (i == 0)
-          s.target_iso = level(pick.target, own ? fields.target : fields.u, own, s.v_med);
-        else
-          s.neighbour_iso = 1 - level(pick.neighbour, own ? fields.neighbour : fields.u, true, 1 - s.v_med);
+    case CutRule::component:
+      // Of the field of a tooth's own 0 to 1 is 0 to 1/2 of u.
+      p.executor->each(pick.neighbour != mesh::none ? 2 : 1, [&](std::size_t i) {
+        const bool target = i == 0;
+        const Index group = target ? pick.target : pick.neighbour;
+        double level;
+        if (own) {
+          level = best_level(
+              p, group, [&](Index v) { return 1 - fields.own(v, target); }, own_levels());
+          // No border at any level: a piece of the scan that is all tooth.
+          level = (std::isnan(level) ? 0.5 : level) / 2;
+        } else {
+          level = best_level(
+              p, group, [&](Index v) { return target ? u[v] : 1 - u[v]; },
+              sampled_levels(p.options, target ? s.v_med : 1 - s.v_med));
+        }
+        (target ? s.target_iso : s.neighbour_iso) = target ? level : 1 - level;
       });
       break;
-    }
   }
   if (pick.neighbour == mesh::none) s.neighbour_iso = std::numeric_limits<double>::quiet_NaN();
   return s;
 }
 
-Tooth extract_tooth(const Prepared &p, const Fields &fields, const Selection &selection, Index group, bool is_target) {
+Tooth extract_tooth(const Prepared &p, Fields &fields, const Selection &selection, Index group, bool is_target) {
   const mesh::Surface &surface = *p.surface;
-  const Vec<double> &own = is_target ? fields.target : fields.neighbour;
   Tooth tooth;
   tooth.group = group;
   tooth.iso = is_target ? selection.target_iso : selection.neighbour_iso;
   if (std::isnan(tooth.iso))
     throw Error(Fault::no_cut, "no contour of the field around group " + std::to_string(group) + " looks like a tooth");
-  tooth.seeds = seeds_of(p, group);
+  tooth.seeds = p.seeds[group];
 
   // phi: about -1 deep in the tooth and 1 on the background.
-  Vec<double> phi(surface.vertices());
-  if (own_field_decides(p.options)) {
-    const double level = 2 * (is_target ? tooth.iso : 1 - tooth.iso);
-    for (std::size_t v = 0; v < phi.size(); ++v) {
-      const double over = 1 - own[v] - level;
-      phi[v] = over / (over < 0 ? level : 1 - level);
-    }
-  } else {
-    for (std::size_t v = 0; v < phi.size(); ++v)
-      phi[v] = 4 * (is_target ? fields.u[v] - tooth.iso : tooth.iso - fields.u[v]);
-  }
+  const bool own = own_field_decides(p.options);
+  const double level = 2 * (is_target ? tooth.iso : 1 - tooth.iso);
+  const auto phi = [&](Index v) {
+    if (!own) return 4 * (is_target ? fields.u(v) - tooth.iso : tooth.iso - fields.u(v));
+    const double over = 1 - fields.own(v, is_target) - level;
+    return over / (over < 0 ? level : 1 - level);
+  };
 
-  const Vec<std::uint8_t> fixed = fixed_for(p, group);
-  const Vec<std::uint8_t> foreign = foreign_of(fixed);
-  cut::Mask inside = cut::grow(surface, phi, tooth.seeds);
-  cut::fill_holes(surface, p.widened * p.options.hole_area, foreign, inside);
+  const auto space = p.space();
+  cut::Mask &inside = space->inside;
+  const auto foreign = [&](Index v) { return kind_for(p, group, v) == kForeign; };
+  const double hole = p.widened * p.options.hole_area;
+  cut::Growth growth(surface, phi, tooth.seeds, inside);
+  growth.rise(0);
+  cut::fill_holes(surface, hole, foreign, growth.beside(), inside);
   if (p.options.refine_band > 0) {
-    cut::refine(surface, phi, p.seam, fixed, {p.lengthened * p.options.refine_band}, inside);
+    cut::refine(
+        surface, phi, p.seam, [&](Index v) { return kind_for(p, group, v); }, {p.lengthened * p.options.refine_band},
+        *space);
     cut::keep_seeded(surface, tooth.seeds, inside);
-    cut::fill_holes(surface, p.widened * p.options.hole_area, foreign, inside);
+    cut::fill_holes(surface, hole, foreign, cut::beside(surface, inside), inside);
   }
   tooth.faces = cut::faces_of(inside);
   if (tooth.faces.empty() || tooth.faces.size() == surface.faces())
     throw Error(Fault::no_cut, "the field of group " + std::to_string(group) + " separates nothing");
-  tooth.vertices = cut::vertices_of(surface, tooth.faces);
+  tooth.vertices = cut::vertices_of(surface, tooth.faces, *space);
   tooth.area = cut::area_of(surface, tooth.faces);
   if (tooth.area / p.widened < p.options.area_min) tooth.warnings |= Warning::area_small;
   if (tooth.area / p.widened > p.options.area_max) tooth.warnings |= Warning::area_large;
   if (p.live.size() < 2) tooth.warnings |= Warning::no_neighbour;
   if (!p.rejected[group].empty()) tooth.warnings |= Warning::seed_rejected;
-  add_cuts(p, fields, tooth, inside);
-  tooth.confidence = confidence(p, own, tooth);
+  add_cuts(p, tooth, *space);
+  tooth.confidence = confidence(mean_inside(p, fields, is_target, tooth.faces), tooth);
   return tooth;
+}
+
+void measure_cuts(const Prepared &p, Fields &fields, Tooth &tooth) {
+  double length = 0, gradient = 0;
+  for (Cut &c : tooth.loops) {
+    const cut::Score s = cut::score(*p.surface, [&](Index v) { return fields.u(v); }, p.concavity, {&c.line, 1});
+    c.gradient = s.gradient;
+    length += s.length;
+    gradient += s.length * s.gradient;
+  }
+  if (length > 0) tooth.gradient = gradient / length;
 }
 
 }  // namespace ts::tooth

@@ -1,31 +1,53 @@
 // From the fields of a click to its teeth.
 #pragma once
 
-#include "cut/region.h"
 #include "cut/select.h"
 #include "tooth/pick.h"
 
 namespace ts::tooth {
 
-// u of Eq. 3 for a click. `target` and `neighbour` are 1 on the tooth's own nodes and 0 on all that is held beside it;
-// `u` = (1 - target + neighbour) / 2 is the paper's form: 0 on the target, 1 on the neighbour, and 1/2 on the rest of
-// what is held. With the paper's pair alone, target + neighbour = 1 and u = neighbour.
-struct Fields {
-  Vec<double> target, neighbour, u;
+// u of Eq. 3 for a click, where it is asked for. `target` and `neighbour` are 1 on the tooth's own nodes and 0 on all
+// that is held beside it; u = (1 - target + neighbour) / 2 is the paper's form: 0 on the target, 1 on the neighbour,
+// and 1/2 on the rest of what is held. With the paper's pair alone, target + neighbour = 1 and u = neighbour. One task
+// at a time may ask of each of the two; where `whole`, any number.
+class Fields {
+ public:
+  Fields(const Prepared &prepared, const Pick &pick, bool whole);
+
+  bool has_neighbour() const { return neighbour_.has_value(); }
+  double target(Index v) { return target_(v); }
+  double neighbour(Index v) { return neighbour_ ? (*neighbour_)(v) : 0 * target_(v); }  // NaN stays
+  double own(Index v, bool of_target) { return of_target ? target(v) : neighbour(v); }
+  double u(Index v) { return (1 - target(v) + neighbour(v)) / 2; }
+  Vec<double> all_of_u();
+
+  std::size_t bytes() const;    // of the factor read so far
+  double milliseconds() const;  // spent on it
+
+ private:
+  const Prepared &prepared_;
+  field::Solution target_;
+  std::optional<field::Solution> neighbour_;
 };
 
-Fields solve_fields(const Prepared &prepared, const Pick &pick);
+// With everything else held, a tooth's own field decides: what it is does then not depend on the pair it was separated
+// in, and nothing but the surroundings of the tooth is looked at. The paper's rule looks at the field of the pair,
+// whole.
+bool own_field_decides(const Options &options);
 
-// The cuts chosen on u: iso-values and, per vertex, phi < 0 on the tooth's side, about -1 deep inside.
+// The cuts chosen on u: iso-values, NaN where there is none. V_med is looked at by the paper's rule only, which gives
+// it; NaN else.
 struct Selection {
   double v_med = 0;
   double target_iso = 0, neighbour_iso = 0;
 };
 
-Selection select_cuts(const Prepared &prepared, const Pick &pick, const Fields &fields);
+Selection select_cuts(const Prepared &prepared, const Pick &pick, Fields &fields);
 
-// The tooth of `group`; `iso` is of u. Throws Fault::no_cut.
-Tooth extract_tooth(const Prepared &prepared, const Fields &fields, const Selection &selection, Index group,
-                    bool is_target);
+// The tooth of `group`, what is measured on u along its cuts left out. Throws Fault::no_cut.
+Tooth extract_tooth(const Prepared &prepared, Fields &fields, const Selection &selection, Index group, bool is_target);
+
+// Gradients on u along the cuts of a tooth of the click.
+void measure_cuts(const Prepared &prepared, Fields &fields, Tooth &tooth);
 
 }  // namespace ts::tooth

@@ -33,47 +33,54 @@ void beside(const Prepared &p, const Vec3 &click, Pick &pick) {
     std::swap(pick.neighbour, pick.other);
 }
 
-}  // namespace
-
-Pick pick(const Prepared &p, const mesh::SurfacePoint &at) {
+// Calls reach(vertex, distance) for the vertices around a click in the order of distance, until it returns false.
+void search(const Prepared &p, const mesh::SurfacePoint &at, const auto &reach) {
   const mesh::Surface &s = *p.surface;
-  Pick pick;
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  pick.target_distance = pick.neighbour_distance = pick.other_distance = unknown;
   geometry::PathStart starts[3];
   for (std::size_t k = 0; k < 3; ++k) {
     const Index v = s.triangle[at.face][k];
     starts[k] = {v, (s.position[v] - at.position).norm(), 0};
   }
+  p.space()->paths.search(
+      starts, [&](Index e) { return p.click_cost[e]; }, [&](Index v, double d, Index) { return reach(v, d); });
+}
+
+}  // namespace
+
+Pick pick(const Prepared &p, const mesh::SurfacePoint &at) {
+  Pick pick;
   const bool plain = p.options.click_concavity <= 0;
-  const auto missing = [](Index group, double distance) { return group != mesh::none && std::isnan(distance); };
-  geometry::PathFinder(s).search(
-      starts, [&](Index e) { return p.click_cost[e]; },
-      [&](Index v, double d, Index) {
-        const Index g = p.group_at[v];
-        if (g == mesh::none || g == pick.target) return true;
-        if (pick.target == mesh::none) {
-          pick.target = g;
-          pick.target_distance = d;
-          if (!plain) beside(p, at.position, pick);
-          return p.live.size() > 1;
-        }
-        if (plain) pick.neighbour = g;
-        if (g == pick.neighbour && missing(g, pick.neighbour_distance)) pick.neighbour_distance = d;
-        if (g == pick.other && missing(g, pick.other_distance)) pick.other_distance = d;
-        return missing(pick.neighbour, pick.neighbour_distance) || missing(pick.other, pick.other_distance);
-      });
-  // No way along the surface: on another piece of it.
-  if (missing(pick.neighbour, pick.neighbour_distance)) pick.neighbour_distance = HUGE_VAL;
-  if (missing(pick.other, pick.other_distance)) pick.other_distance = HUGE_VAL;
+  search(p, at, [&](Index v, double d) {
+    const Index g = p.group_at[v];
+    if (g == mesh::none || g == pick.target) return true;
+    if (pick.target != mesh::none) {
+      pick.neighbour = g;
+      return false;
+    }
+    pick.target = g;
+    pick.target_distance = d;
+    return plain && p.live.size() > 1;
+  });
+  if (!plain && pick.target != mesh::none) beside(p, at.position, pick);
   return pick;
+}
+
+double distance_to(const Prepared &p, const mesh::SurfacePoint &at, Index group) {
+  double found = std::numeric_limits<double>::quiet_NaN();
+  if (group == mesh::none) return found;
+  found = HUGE_VAL;
+  search(p, at, [&](Index v, double d) {
+    if (p.group_at[v] != group) return true;
+    found = d;
+    return false;
+  });
+  return found;
 }
 
 void settle(Pick &pick, std::span<const Index> separated) {
   const auto done = [&](Index g) { return std::ranges::find(separated, g) != separated.end(); };
   if (pick.other == mesh::none || !done(pick.neighbour) || done(pick.other)) return;
   std::swap(pick.neighbour, pick.other);
-  std::swap(pick.neighbour_distance, pick.other_distance);
 }
 
 }  // namespace ts::tooth

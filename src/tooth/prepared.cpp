@@ -84,7 +84,8 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   p.nodes = field::make_nodes(surface, p.sites,
                               {options.seed_radius, options.background != Background::neighbour || !several,
                                options.gingiva_distance, p.lengthened});
-  p.solver = std::make_unique<field::Solver>(surface, weight, p.nodes, executor, progress.part(0.3, 1, "factorisation"));
+  p.solver =
+      std::make_unique<field::Solver>(surface, weight, p.nodes, executor, progress.part(0.3, 1, "factorisation"));
   p.outlier = options.reject_outliers ? field::find_outliers(*p.solver, p.nodes, convexity)
                                       : Vec<std::uint8_t>(p.nodes.size(), 0);
 
@@ -100,6 +101,11 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
     if (!p.outlier[n] && p.nodes.group[n] != field::gingiva_group &&
         (p.live.empty() || p.live.back() != p.nodes.group[n]))
       p.live.push_back(p.nodes.group[n]);
+  p.seeds.resize(p.groups);
+  for (Index v = 0; v < surface.vertices(); ++v)
+    if (const Index n = p.nodes.of_vertex[v];
+        n != mesh::none && !p.outlier[n] && p.nodes.group[n] != field::gingiva_group)
+      p.seeds[p.nodes.group[n]].push_back(v);
   p.times.factorise = watch.lap();
   return p;
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 
+#include "cut/space.h"
 #include "features/features.h"
 #include "field/outliers.h"
 #include "tooth/segmenter.h"
@@ -29,9 +30,23 @@ struct Prepared {
   Vec<double> click_cost;    // an edge
   field::Nodes nodes;
   Vec<std::uint8_t> outlier;  // a node
+  Vec<Vec<Index>> seeds;      // a group: vertices held as its constraint, ascending
   std::unique_ptr<const field::Solver> solver;
+  mutable std::unique_ptr<cut::Spaces> spaces = std::make_unique<cut::Spaces>();
   PrepareTimes times;
+
+  // What a cut or a search works in; each task takes one of its own.
+  cut::Spaces::Lease space() const {
+    return spaces->take([this] { return std::make_unique<cut::Space>(*surface); });
+  }
 };
+
+// What a vertex is to a tooth.
+inline constexpr std::uint8_t kFree = 0, kOwn = 1, kForeign = 2;  // neither / its seed / another tooth's or gingiva
+inline std::uint8_t kind_for(const Prepared &p, Index group, Index vertex) {
+  const Index n = p.nodes.of_vertex[vertex];
+  return n == mesh::none || p.outlier[n] ? kFree : p.nodes.group[n] == group ? kOwn : kForeign;
+}
 
 Prepared prepare(const mesh::Surface &surface, const features::Features &features, const Options &options,
                  const Executor &executor, const Progress &progress);

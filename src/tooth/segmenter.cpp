@@ -46,16 +46,14 @@ Click separate(const Prepared &p, const mesh::SurfacePoint &at, const Pick &pick
   click.target = picked.target;
   click.neighbour = picked.neighbour;
   click.target_distance = picked.target_distance;
-  click.neighbour_distance = picked.neighbour_distance;
   click.ms.pick = pick_ms;
   progress.part(0, 0.4, "field")(0);
 
-  const Fields fields = solve_fields(p, picked);
-  click.ms.field = watch.lap();
+  Fields fields(p, picked, !own_field_decides(p.options));
+  const double nodes_ms = watch.lap();
   progress.part(0.4, 0.5, "cut")(0);
 
   const Selection selection = select_cuts(p, picked, fields);
-  click.v_med = selection.v_med;
   click.target_iso = selection.target_iso;
   click.neighbour_iso = selection.neighbour_iso;
   click.ms.cut = watch.lap();
@@ -75,15 +73,20 @@ Click separate(const Prepared &p, const mesh::SurfacePoint &at, const Pick &pick
       }
     }
   });
-  click.teeth.push_back(std::move(both[0]));
-  if (found) click.teeth.push_back(std::move(both[1]));
+  for (int k = 0; k < 1 + found; ++k) {
+    measure_cuts(p, fields, both[k]);
+    click.teeth.push_back(std::move(both[k]));
+  }
   const Vec<Index> &own = click.teeth[0].faces;
   if (!std::binary_search(own.begin(), own.end(), at.face) && gingiva_share(p, at) > kGingiva)
     throw Error(Fault::click_on_gingiva, "the click lies on gingiva or base, " +
                                              std::to_string(picked.target_distance) +
                                              " from the nearest feature point");
   click.ms.label = watch.lap();
-  click.ms.total = click.ms.pick + click.ms.field + click.ms.cut + click.ms.label;
+  click.ms.total = click.ms.pick + nodes_ms + click.ms.cut + click.ms.label;
+  // The field is solved where the cut looks at it; the two teeth may do so at the same time.
+  click.ms.field = nodes_ms + fields.milliseconds();
+  click.field_bytes = fields.bytes();
   progress(1);
   return click;
 }
@@ -171,6 +174,15 @@ Vec<Segmenter::Outcome> Segmenter::clicks(std::span<const mesh::SurfacePoint> at
   return outcomes;
 }
 
+ClickDetails Segmenter::details(const Click &click) const {
+  const Prepared &p = impl_->prepared;
+  Pick picked;
+  picked.target = click.target;
+  picked.neighbour = click.neighbour;
+  return {distance_to(p, click.at, click.neighbour),
+          cut::histogram(Fields(p, picked, true).all_of_u(), p.options.histogram_bins).v_med};
+}
+
 ClickView Segmenter::view(const Click &click, const Progress &progress) const {
   const Prepared &p = impl_->prepared;
   progress(0);
@@ -178,14 +190,15 @@ ClickView Segmenter::view(const Click &click, const Progress &progress) const {
   picked.target = click.target;
   picked.neighbour = click.neighbour;
   ClickView view;
-  view.u = solve_fields(p, picked).u;
+  view.u = Fields(p, picked, true).all_of_u();
   view.histogram = cut::histogram(view.u, p.options.histogram_bins).bins;
   view.contours.resize(p.options.contours);
   p.executor->each(view.contours.size(), [&](std::size_t k) {
     Contour &c = view.contours[k];
     c.iso = cut::iso_value(k, view.contours.size());
-    c.lines = cut::contour(*p.surface, view.u, c.iso);
-    const cut::Score s = cut::score(*p.surface, view.u, p.concavity, c.lines);
+    const auto u = [&](Index v) { return view.u[v]; };
+    c.lines = cut::contour(*p.surface, u, c.iso);
+    const cut::Score s = cut::score(*p.surface, u, p.concavity, c.lines);
     c.gradient = s.gradient;
     c.concavity = s.concavity;
     c.length = s.length;

@@ -28,11 +28,16 @@ struct Click {
   Index target = mesh::none;                 // index of the group clicked
   Index neighbour = mesh::none;              // of the group separated with it; none if there is but one
   double target_distance = 0;                // along the surface, in the metric of the options, mm
-  double neighbour_distance = 0;             // NaN without a neighbour
-  double v_med = 0;                          // centre of the fullest bin (Fig. 4C)
   double target_iso = 0, neighbour_iso = 0;  // of the published field; NaN without a neighbour
   ClickTimes ms;
-  Vec<Tooth> teeth;  // the target's, then the neighbour's if there is one and a cut was found for it
+  std::size_t field_bytes = 0;  // of the factor that the field read
+  Vec<Tooth> teeth;             // the target's, then the neighbour's if there is one and a cut was found for it
+};
+
+// What a click is not decided by and therefore does not work out.
+struct ClickDetails {
+  double neighbour_distance = 0;  // along the surface, in the metric of the options, mm; NaN without a neighbour
+  double v_med = 0;               // centre of the fullest bin (Fig. 4C)
 };
 
 // One iso-value's contour of the published field (Fig. 4A).
@@ -75,6 +80,7 @@ class Segmenter {
   Vec<Outcome> clicks(std::span<const mesh::SurfacePoint> at, std::span<const Index> separated,
                       const Progress &progress = {}) const;
 
+  ClickDetails details(const Click &click) const;
   ClickView view(const Click &click, const Progress &progress = {}) const;
 
   // The fewest clicks that cover every group not in `separated`: points on the surface.

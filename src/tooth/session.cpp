@@ -11,10 +11,11 @@ Index Session::add(Click click) {
     const auto at = std::lower_bound(entries_.begin(), entries_.end(), tooth.group,
                                      [](const Entry &e, Index g) { return e.group < g; });
     const Index group = tooth.group;
+    auto own = std::make_shared<const Tooth>(std::move(tooth));
     if (at != entries_.end() && at->group == group)
-      *at = {group, number, std::move(tooth)};
+      *at = {group, number, std::move(own)};
     else
-      entries_.insert(at, {group, number, std::move(tooth)});
+      entries_.insert(at, {group, number, std::move(own)});
   }
   click.teeth.clear();
   clicks_.push_back(std::move(click));
@@ -34,7 +35,7 @@ Vec<Index> Session::teeth() const {
 
 const Tooth *Session::tooth(Index group) const {
   for (const Entry &e : entries_)
-    if (e.group == group) return &e.tooth;
+    if (e.group == group) return e.tooth.get();
   return nullptr;
 }
 
@@ -51,12 +52,12 @@ Vec<std::uint32_t> Session::labels() const {
     const auto &t = s.triangle[f];
     const Vec3 centre = (s.position[t[0]] + s.position[t[1]] + s.position[t[2]]) / 3;
     double least = std::numeric_limits<double>::infinity();
-    for (const Index v : e.tooth.seeds) least = std::min(least, (s.position[v] - centre).squaredNorm());
+    for (const Index v : e.tooth->seeds) least = std::min(least, (s.position[v] - centre).squaredNorm());
     return least;
   };
   Vec<Index> owner(s.faces(), mesh::none);  // place in entries_
   for (Index i = 0; i < entries_.size(); ++i)
-    for (const Index f : entries_[i].tooth.faces) {
+    for (const Index f : entries_[i].tooth->faces) {
       if (owner[f] != mesh::none && !(distance(entries_[i], f) < distance(entries_[owner[f]], f))) continue;
       owner[f] = i;
       label[f] = entries_[i].group + 1;

@@ -24,7 +24,7 @@ class Session {
  private:
   struct Entry {
     Index group, click;
-    Tooth tooth;
+    std::shared_ptr<const Tooth> tooth;  // shared by the sessions before and after a click
   };
   const mesh::Surface *surface_;
   Vec<Click> clicks_;

@@ -14,12 +14,16 @@ Vec<double> field(const mesh::Surface &s, const auto &value) {
   return u;
 }
 
+auto of(const Vec<double> &u) {
+  return [&u](Index v) { return u[v]; };
+}
+
 }  // namespace
 
 TEST_CASE("the contour of a linear field on a plane is a straight line from border to border") {
   const mesh::Surface s = forms::plane(10, 4, 30, 12);
   const Vec<double> u = field(s, [](const Vec3 &p) { return 0.08 * p.x() + 0.02 * p.y(); });
-  const Vec<Polyline> lines = contour(s, u, 0.431);
+  const Vec<Polyline> lines = contour(s, of(u), 0.431);
   REQUIRE(lines.size() == 1);
   const Polyline &line = lines[0];
   CHECK(!line.closed);
@@ -32,7 +36,7 @@ TEST_CASE("the contour of a linear field on a plane is a straight line from bord
   CHECK(std::abs(line.points.front().position.y() - line.points.back().position.y()) == doctest::Approx(4));
   // u < iso is on the left: with it at smaller x, the line runs away from the viewer.
   CHECK(line.points.front().position.y() == doctest::Approx(0));
-  const Score sc = score(s, u, Vec<double>(s.vertices(), 0.5), lines);
+  const Score sc = score(s, of(u), Vec<double>(s.vertices(), 0.5), lines);
   CHECK(sc.gradient == doctest::Approx(std::hypot(0.08, 0.02)));
   CHECK(sc.harmonic == doctest::Approx(std::hypot(0.08, 0.02)));
   CHECK(sc.concavity == doctest::Approx(0.5));
@@ -42,7 +46,7 @@ TEST_CASE("the contours of height on a sphere are closed circles, low side on th
   const mesh::Surface s = forms::sphere(5, 4);
   const Vec<double> u = field(s, [](const Vec3 &p) { return p.z(); });
   for (const double z : {-3.0, 0.0, 2.5}) {
-    const Vec<Polyline> lines = contour(s, u, z);
+    const Vec<Polyline> lines = contour(s, of(u), z);
     REQUIRE(lines.size() == 1);
     CHECK(lines[0].closed);
     CHECK(lines[0].points.size() == lines[0].faces.size());
@@ -59,7 +63,7 @@ TEST_CASE("the contours of height on a sphere are closed circles, low side on th
 TEST_CASE("iso-values that vertices have exactly still give one closed line of distinct points") {
   const mesh::Surface s = forms::tube(2, 6, 24, 12);
   const Vec<double> u = field(s, [](const Vec3 &p) { return p.z(); });
-  const Vec<Polyline> lines = contour(s, u, 3.0);
+  const Vec<Polyline> lines = contour(s, of(u), 3.0);
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].closed);
   for (std::size_t i = 0; i < lines[0].points.size(); ++i) {
@@ -74,16 +78,16 @@ TEST_CASE("two bumps: two lines; faces with a NaN are not crossed; a part of the
   const mesh::Surface s = forms::plane(20, 10, 60, 30);
   Vec<double> u = field(
       s, [](const Vec3 &p) { return std::min(std::hypot(p.x() - 5, p.y() - 5), std::hypot(p.x() - 15, p.y() - 5)); });
-  const Vec<Polyline> both = contour(s, u, 3);
+  const Vec<Polyline> both = contour(s, of(u), 3);
   REQUIRE(both.size() == 2);
   CHECK((both[0].closed && both[1].closed));
   Vec<Index> left;
   for (Index f = 0; f < s.faces(); ++f)
     if (s.position[s.triangle[f][0]].x() < 10) left.push_back(f);
-  CHECK(contour(s, u, 3, left).size() == 1);
+  CHECK(contour(s, of(u), 3, left).size() == 1);
   for (Index v = 0; v < s.vertices(); ++v)
     if (s.position[v].x() > 15) u[v] = std::nan("");
-  const Vec<Polyline> cut = contour(s, u, 3);
+  const Vec<Polyline> cut = contour(s, of(u), 3);
   REQUIRE(cut.size() == 2);
   CHECK(cut[0].closed != cut[1].closed);
 }
@@ -94,8 +98,8 @@ TEST_CASE("scores of all contours in one pass are those of the contours") {
   const Vec<double> c = field(s, [](const Vec3 &p) { return std::abs(p.y()) / 4; });
   const Vec<Score> all = score_all(s, u, c, 33);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const Vec<Polyline> lines = contour(s, u, iso_value(k, all.size()));
-    const Score one = score(s, u, c, lines);
+    const Vec<Polyline> lines = contour(s, of(u), iso_value(k, all.size()));
+    const Score one = score(s, of(u), c, lines);
     CHECK(all[k].length == doctest::Approx(one.length).epsilon(1e-4));
     CHECK(all[k].gradient == doctest::Approx(one.gradient).epsilon(1e-4));
     CHECK(all[k].concavity == doctest::Approx(one.concavity).epsilon(1e-4));

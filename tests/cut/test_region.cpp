@@ -24,10 +24,31 @@ Vec3 centre(const mesh::Surface &s, Index f) {
   return (s.position[t[0]] + s.position[t[1]] + s.position[t[2]]) / 3;
 }
 
-Mask disc(const mesh::Surface &s, double x, double y, double r) {
-  Mask m(s.faces(), 0);
-  for (Index f = 0; f < s.faces(); ++f) m[f] = std::hypot(centre(s, f).x() - x, centre(s, f).y() - y) < r;
-  return m;
+// Faces that fulfil `wanted`, as the region of a space.
+void fill(const mesh::Surface &s, Space &space, const auto &wanted) {
+  space.clear();
+  for (Index f = 0; f < s.faces(); ++f)
+    if (wanted(f)) space.inside.set(f, 1);
+}
+
+auto in_disc(const mesh::Surface &s, double x, double y, double r) {
+  return [&s, x, y, r](Index f) { return std::hypot(centre(s, f).x() - x, centre(s, f).y() - y) < r; };
+}
+
+Vec<Index> disc(const mesh::Surface &s, double x, double y, double r) {
+  Vec<Index> faces;
+  for (Index f = 0; f < s.faces(); ++f)
+    if (in_disc(s, x, y, r)(f)) faces.push_back(f);
+  return faces;
+}
+
+bool is_clean(const Space &s) {
+  const auto all = [](const auto &a, auto clean) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (a[i] != clean) return false;
+    return true;
+  };
+  return all(s.faces, 0) && all(s.marks, 0) && all(s.place, mesh::none) && all(s.level, 1.0);
 }
 
 Index vertex_at(const mesh::Surface &s, double x, double y) {
@@ -86,31 +107,64 @@ TEST_CASE("a region is the part of phi < 0 with the seeds; holes close, but not 
     phi[v] = std::max(std::min(one, two), hole);
   }
   const Index seed = vertex_at(s, 13, 10);
-  Mask m = grow(s, phi, {&seed, 1});
-  const double ring = area_of(s, faces_of(m));
-  CHECK(ring == doctest::Approx(forms::pi * (36 - 2.25)).epsilon(0.03));
-  Vec<std::uint8_t> foreign(s.vertices(), 0);
-  Mask small = m, kept = m, filled = m;
-  fill_holes(s, 5, foreign, small);
-  CHECK(small == m);  // the hole is larger than that
-  foreign[vertex_at(s, 10, 10)] = 1;
-  fill_holes(s, 40, foreign, kept);
-  CHECK(kept == m);
-  foreign.assign(s.vertices(), 0);
-  fill_holes(s, 40, foreign, filled);
-  CHECK(area_of(s, faces_of(filled)) == doctest::Approx(forms::pi * 36).epsilon(0.03));
+  Space space(s);
+  const auto grown = [&] {
+    space.clear();
+    Growth growth(
+        s, [&](Index v) { return phi[v]; }, {&seed, 1}, space.inside);
+    growth.rise(0);
+    CHECK(growth.area() == doctest::Approx(area_of(s, faces_of(space.inside))));
+    return growth.beside();
+  };
+  const Vec<Index> outside = grown(), ring = faces_of(space.inside);
+  CHECK(area_of(s, ring) == doctest::Approx(forms::pi * (36 - 2.25)).epsilon(0.03));
+  const auto filled = [&](double area, Index foreign) {
+    grown();
+    fill_holes(
+        s, area, [&](Index v) { return std::uint8_t(v == foreign); }, outside, space.inside);
+    return faces_of(space.inside);
+  };
+  CHECK(filled(5, mesh::none) == ring);  // the hole is larger than that
+  CHECK(filled(40, vertex_at(s, 10, 10)) == ring);
+  CHECK(area_of(s, filled(40, mesh::none)) == doctest::Approx(forms::pi * 36).epsilon(0.03));
 
-  Mask corner(s.faces(), 1);  // all but a corner at the border: no hole
-  for (Index f = 0; f < s.faces(); ++f) corner[f] = centre(s, f).head<2>().norm() > 2;
-  Mask same = corner;
-  fill_holes(s, 40, foreign, same);
-  CHECK(same == corner);
-  CHECK(touches_border(s, faces_of(corner)));
-  CHECK(!touches_border(s, faces_of(m)));
-  Mask two = disc(s, 10, 10, 4), other = disc(s, 25, 10, 3);
-  for (Index f = 0; f < s.faces(); ++f) two[f] |= other[f];
-  keep_seeded(s, {&seed, 1}, two);
-  CHECK(two == disc(s, 10, 10, 4));
+  fill(s, space, [&](Index f) { return centre(s, f).head<2>().norm() > 2; });
+  const Vec<Index> corner = faces_of(space.inside);  // all but a corner at the border: no hole
+  CHECK(fill_holes(
+            s, 40, [](Index) { return std::uint8_t{0}; }, beside(s, space.inside), space.inside)
+            .empty());
+  CHECK(faces_of(space.inside) == corner);
+  fill(s, space, [&](Index f) { return in_disc(s, 10, 10, 4)(f) || in_disc(s, 25, 10, 3)(f); });
+  keep_seeded(s, {&seed, 1}, space.inside);
+  CHECK(faces_of(space.inside) == disc(s, 10, 10, 4));
+  CHECK(is_clean(space));
+}
+
+TEST_CASE("a region that has risen from level to level is that of the last level at once, and so is its border") {
+  const mesh::Surface s = forms::plane(30, 20, 90, 60);
+  std::uint32_t state = 11;
+  Vec<double> u(s.vertices());
+  for (Index v = 0; v < s.vertices(); ++v)
+    u[v] = std::hypot(s.position[v].x() - 12, s.position[v].y() - 9) / 12 + 0.1 * pseudo_random(state);
+  const Index seed = vertex_at(s, 12, 9);
+  const auto at = [&](Index v) { return u[v]; };
+  Space slow(s), fast(s);
+  Growth growth(s, at, {&seed, 1}, slow.inside);
+  for (const double level : {0.2, 0.35, 0.5, 0.8}) {
+    growth.rise(level);
+    fast.clear();
+    Growth once(s, at, {&seed, 1}, fast.inside);
+    once.rise(level);
+    CHECK(faces_of(slow.inside) == faces_of(fast.inside));
+    const auto sorted = [](Vec<Index> faces) {
+      std::sort(faces.begin(), faces.end());
+      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+      return faces;
+    };
+    CHECK(sorted(growth.mixed()) == sorted(once.mixed()));
+    CHECK(sorted(growth.beside()) == sorted(once.beside()));
+    CHECK(sorted(growth.beside()) == sorted(beside(s, fast.inside)));
+  }
 }
 
 TEST_CASE("refinement moves the border into a seam nearby, not past seeds, and leaves what is beyond the band") {
@@ -122,35 +176,39 @@ TEST_CASE("refinement moves the border into a seam nearby, not past seeds, and l
     phi[v] = std::clamp((r - 4.3) / 3, -1.0, 1.0);
   }
   const Vec<double> seam = seams(s, c, level);
-  Vec<std::uint8_t> fixed(s.vertices(), 0);
-  const Mask start = disc(s, 8, 8, 4.3);
-  Mask m = start;
-  refine(s, phi, seam, fixed, {1.5}, m);
+  Space space(s);
+  const auto refined = [&](double band, Index seed) {
+    fill(s, space, in_disc(s, 8, 8, 4.3));
+    refine(
+        s, [&](Index v) { return phi[v]; }, seam, [&](Index v) { return std::uint8_t(v == seed ? 2 : 0); }, {band},
+        space);
+    CHECK(is_clean(space));
+  };
+  refined(1.5, mesh::none);
   for (Index f = 0; f < s.faces(); ++f) {
     const double r = (centre(s, f) - Vec3(8, 8, 0)).norm();
-    if (r < 4.6) CHECK(m[f]);
-    if (r > 5.4) CHECK(!m[f]);
+    if (r < 4.6) CHECK(space.inside[f]);
+    if (r > 5.4) CHECK(!space.inside[f]);
   }
   // Another tooth's seed between the border and the seam stays outside.
   const Index seed = vertex_at(s, 12.6, 8);
-  fixed[seed] = 2;
-  m = start;
-  refine(s, phi, seam, fixed, {1.5}, m);
-  for (const Index f : s.vertex_faces[seed]) CHECK(!m[f]);
+  refined(1.5, seed);
+  for (const Index f : s.vertex_faces[seed]) CHECK(!space.inside[f]);
   // A band too narrow to reach the seam leaves the border where it is cheap.
-  m = start;
-  refine(s, phi, seam, Vec<std::uint8_t>(s.vertices(), 0), {0.2}, m);
+  refined(0.2, mesh::none);
   for (Index f = 0; f < s.faces(); ++f)
-    if ((centre(s, f) - Vec3(8, 8, 0)).norm() > 4.8) CHECK(!m[f]);
+    if ((centre(s, f) - Vec3(8, 8, 0)).norm() > 4.8) CHECK(!space.inside[f]);
 }
 
 TEST_CASE(
     "the smoothed line of a disc of faces is one closed line, shorter than the jagged border, tooth on its left") {
   const mesh::Surface s = forms::plane(16, 16, 64, 64);
   const Vec<double> cot = geometry::cotangent_weights(s, 0.01, Executor(1));
-  const Mask m = disc(s, 8, 8, 4);
   const Index seed = vertex_at(s, 8, 8);
-  const Vec<Polyline> lines = smooth_line(s, cot, m, 0.3, {&seed, 1});
+  Space space(s);
+  fill(s, space, in_disc(s, 8, 8, 4));
+  const Vec<Polyline> lines = smooth_line(s, cot, 0.3, {&seed, 1}, space);
+  CHECK(is_clean(space));
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].closed);
   CHECK(lines[0].length == doctest::Approx(2 * forms::pi * 4).epsilon(0.04));
@@ -163,20 +221,21 @@ TEST_CASE(
     CHECK(edges.insert({p.a, p.b}).second);  // simple: no edge is crossed twice
   }
   CHECK(area == doctest::Approx(forms::pi * 16).epsilon(0.03));  // positive: counter-clockwise around the disc
-  CHECK(smooth_line(s, cot, m, 0, {&seed, 1}).size() == 1);
+  CHECK(smooth_line(s, cot, 0, {&seed, 1}, space).size() == 1);
 }
 
 TEST_CASE("islands without a seed have no line; a region at the border has an open one") {
   const mesh::Surface s = forms::plane(16, 16, 64, 64);
   const Vec<double> cot = geometry::cotangent_weights(s, 0.01, Executor(1));
-  Mask m = disc(s, 5, 8, 3), island = disc(s, 13, 8, 1);
-  for (Index f = 0; f < s.faces(); ++f) m[f] |= island[f];
+  Space space(s);
+  fill(s, space, [&](Index f) { return in_disc(s, 5, 8, 3)(f) || in_disc(s, 13, 8, 1)(f); });
   Index seed = vertex_at(s, 5, 8);
-  const Vec<Polyline> one = smooth_line(s, cot, m, 0.2, {&seed, 1});
+  const Vec<Polyline> one = smooth_line(s, cot, 0.2, {&seed, 1}, space);
   REQUIRE(one.size() == 1);
   for (const EdgePoint &p : one[0].points) CHECK(p.position.x() < 9);
   seed = vertex_at(s, 0, 8);
-  const Vec<Polyline> open = smooth_line(s, cot, disc(s, 0, 8, 3), 0.2, {&seed, 1});
+  fill(s, space, in_disc(s, 0, 8, 3));
+  const Vec<Polyline> open = smooth_line(s, cot, 0.2, {&seed, 1}, space);
   REQUIRE(open.size() == 1);
   CHECK(!open[0].closed);
   CHECK(std::abs(open[0].points.front().position.x()) < 1e-9);
