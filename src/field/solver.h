@@ -40,6 +40,9 @@ class Solver {
   // Touches the vertex' path in the elimination tree only.
   Eigen::VectorXd measure(Index vertex) const;
 
+  // Of the factor, values and indices: what a sweep of `extend` reads.
+  std::size_t factor_bytes() const { return value_.size() * sizeof(double) + row_.size() * sizeof(Index); }
+
  private:
   void factorise(const mesh::Surface &surface, const Vec<double> &edge_weight, const Progress &progress);
   template <int K>

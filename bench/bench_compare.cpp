@@ -1,0 +1,105 @@
+#include "bench/bench_compare.h"
+
+#include <algorithm>
+
+#include "bench/bench_solver.h"
+
+namespace ts::bench {
+
+Effort effort_for(std::size_t triangles, bool quick) {
+  if (quick) return {2, 3, 4e3, 1e3, 1e3};
+  if (triangles <= 200000) return {3, 7, 15e3, 3e3, 4e3};
+  if (triangles <= 600000) return {4, 7, 60e3, 8e3, 15e3};
+  return {1, 3, 60e3, 8e3, 20e3};
+}
+
+Comparison::Comparison(const mesh::Surface &surface, const features::Features &features, Figures &figures)
+    : surface_(surface), problem_(make_problem(surface_, features)) {
+  group_ = problem_.nodes.group[0];
+  solver_.emplace(make_solver(problem_));
+  figures.set("unknowns", problem_.unknowns);
+  figures.set("field_bytes", field_bytes(*solver_));
+  if (!has_cholmod()) return;
+  cholmod_.emplace();
+  choose(figures);
+}
+
+// The ordering, and with two threads the loops, with which a click of (b) is quickest; and whether it is right.
+void Comparison::choose(Figures &figures) {
+  double best = 0;
+  Ordering chosen = Ordering::standard;
+  std::vector<double> u;
+  for (const Ordering ordering : {Ordering::standard, Ordering::metis}) {
+    cholmod_->set_ordering(ordering);
+    const double ms = cholmod_->click(problem_, group_, &u).total();
+    figures.set(ordering == Ordering::metis ? "b_metis_1t" : "b_standard_1t", ms);
+    if (ordering == Ordering::standard || ms < best) best = ms, chosen = ordering;
+  }
+  figures.set("difference_b", difference(problem_, *solver_, group_, u));
+  cholmod_->set_ordering(chosen);
+  cholmod_->set_threads(2);
+  double with_loops[2];
+  for (const bool loops : {false, true}) {
+    cholmod_->set_own_loops(loops);
+    with_loops[loops] = cholmod_->click(problem_, group_).total();
+  }
+  cholmod_->set_own_loops(with_loops[1] < with_loops[0]);
+  figures.set("b_metis", chosen == Ordering::metis);
+  figures.set("b_own_loops", with_loops[1] < with_loops[0]);
+}
+
+void Comparison::turn() {
+  std::vector<double> u;
+  const BaselineTimes a = click_with_eigen(problem_, group_, &u);
+  a_.add(a.total());
+  a_assemble_.add(a.assemble);
+  a_analyse_.add(a.analyse);
+  a_factorise_.add(a.factorise);
+  a_solve_.add(a.solve);
+  if (!cholmod_) return;
+  for (const int threads : {1, 2}) {
+    cholmod_->set_threads(threads);
+    b_[threads - 1].add(cholmod_->click(problem_, group_).total());
+  }
+}
+
+void Comparison::finish(const Effort &effort, Figures &figures) {
+  figures.set("a", a_.median());
+  figures.set("a_assemble", a_assemble_.median());
+  figures.set("a_analyse", a_analyse_.median());
+  figures.set("a_factorise", a_factorise_.median());
+  figures.set("a_solve", a_solve_.median());
+  figures.set("b_1t", b_[0].median());
+  figures.set("b_2t", b_[1].median());
+  // The clicks may use every core, so (b) may too.
+  figures.set("b", std::min(b_[0].median(), b_[1].median()));
+
+  const double bandwidth = triad_bandwidth();
+  figures.set("bandwidth", bandwidth);
+  figures.set("bound", figures.get("field_bytes") / bandwidth * 1e3);
+
+  solver_.reset();
+  Samples ours[2], theirs[2], analyse;
+  LowerMatrix shared;
+  if (cholmod_) {
+    shared = assemble_shared(problem_);
+    analyse.add(cholmod_->analyse(shared));
+    cholmod_->factorise(shared);  // takes its memory
+  }
+  const Timer timer;
+  while (ours[1].size() < effort.least || (ours[1].size() < effort.most && timer.ms() < effort.factor_ms))
+    for (const int threads : {1, 2}) {
+      ours[threads - 1].add(our_factorisation_ms(problem_, static_cast<unsigned>(threads)));
+      if (!cholmod_) continue;
+      cholmod_->set_threads(threads);
+      theirs[threads - 1].add(cholmod_->factorise(shared));
+    }
+  figures.set("factor_1t", ours[0].median());
+  figures.set("factor_2t", ours[1].median());
+  figures.set("cholmod_analyse", analyse.median());
+  figures.set("cholmod_factor_1t", theirs[0].median());
+  figures.set("cholmod_factor_2t", theirs[1].median());
+  figures.set("cholmod_values", cholmod_ ? cholmod_->factor_values() : not_measured);
+}
+
+}  // namespace ts::bench
