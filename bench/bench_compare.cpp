@@ -48,31 +48,37 @@ void Comparison::choose(Figures &figures) {
   figures.set("b_own_loops", with_loops[1] < with_loops[0]);
 }
 
+void Comparison::Parts::add(const BaselineTimes &times) {
+  total.add(times.total());
+  assemble.add(times.assemble);
+  analyse.add(times.analyse);
+  factorise.add(times.factorise);
+  solve.add(times.solve);
+}
+
+void Comparison::Parts::set(const std::string &name, Figures &figures) const {
+  figures.set(name, total.median());
+  figures.set(name + "_assemble", assemble.median());
+  figures.set(name + "_analyse", analyse.median());
+  figures.set(name + "_factorise", factorise.median());
+  figures.set(name + "_solve", solve.median());
+}
+
 void Comparison::turn() {
-  std::vector<double> u;
-  const BaselineTimes a = click_with_eigen(problem_, group_, &u);
-  a_.add(a.total());
-  a_assemble_.add(a.assemble);
-  a_analyse_.add(a.analyse);
-  a_factorise_.add(a.factorise);
-  a_solve_.add(a.solve);
+  a_.add(click_with_eigen(problem_, group_));
   if (!cholmod_) return;
   for (const int threads : {1, 2}) {
     cholmod_->set_threads(threads);
-    b_[threads - 1].add(cholmod_->click(problem_, group_).total());
+    b_[threads - 1].add(cholmod_->click(problem_, group_));
   }
 }
 
 void Comparison::finish(const Effort &effort, Figures &figures) {
-  figures.set("a", a_.median());
-  figures.set("a_assemble", a_assemble_.median());
-  figures.set("a_analyse", a_analyse_.median());
-  figures.set("a_factorise", a_factorise_.median());
-  figures.set("a_solve", a_solve_.median());
-  figures.set("b_1t", b_[0].median());
-  figures.set("b_2t", b_[1].median());
+  a_.set("a", figures);
+  b_[0].set("b_1t", figures);
+  b_[1].set("b_2t", figures);
   // The clicks may use every core, so (b) may too.
-  figures.set("b", std::min(b_[0].median(), b_[1].median()));
+  figures.set("b", std::min(b_[0].total.median(), b_[1].total.median()));
 
   const double bandwidth = triad_bandwidth();
   figures.set("bandwidth", bandwidth);

@@ -36,7 +36,13 @@ class Comparison {
   std::optional<field::Solver> solver_;
   mesh::Index group_ = 0;
   std::optional<Cholmod> cholmod_;
-  Samples a_, a_assemble_, a_analyse_, a_factorise_, a_solve_, b_[2];
+  // Of a baseline's clicks.
+  struct Parts {
+    Samples total, assemble, analyse, factorise, solve;
+    void add(const BaselineTimes &times);
+    void set(const std::string &name, Figures &figures) const;
+  };
+  Parts a_, b_[2];
 };
 
 }  // namespace ts::bench
