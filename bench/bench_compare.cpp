@@ -7,13 +7,15 @@
 namespace ts::bench {
 
 Effort effort_for(std::size_t triangles, bool quick) {
-  if (quick) return {2, 3, 4e3, 1e3, 1e3};
-  if (triangles <= 200000) return {3, 7, 15e3, 3e3, 4e3};
-  if (triangles <= 600000) return {4, 7, 60e3, 8e3, 15e3};
-  return {1, 3, 60e3, 8e3, 20e3};
+  if (quick) return {2, 3, 1, true, 4e3, 1e3, 1e3};
+  if (triangles <= 200000) return {3, 7, 2, true, 10e3, 2e3, 3e3};
+  if (triangles <= 600000) return {4, 7, 2, true, 40e3, 6e3, 10e3};
+  if (triangles <= 1200000) return {2, 3, 1, true, 40e3, 4e3, 10e3};
+  return {1, 2, 1, false, 40e3, 4e3, 5e3};
 }
 
-Comparison::Comparison(const mesh::Surface &surface, const features::Features &features, Figures &figures)
+Comparison::Comparison(const mesh::Surface &surface, const features::Features &features, const Effort &effort,
+                       Figures &figures)
     : surface_(surface), problem_(make_problem(surface_, features)) {
   group_ = problem_.nodes.group[0];
   solver_.emplace(make_solver(problem_));
@@ -21,7 +23,7 @@ Comparison::Comparison(const mesh::Surface &surface, const features::Features &f
   figures.set("field_bytes", field_bytes(*solver_));
   if (!has_cholmod()) return;
   cholmod_.emplace();
-  choose(figures);
+  if (effort.choose) choose(figures);
 }
 
 // The ordering, and with two threads the loops, with which a click of (b) is quickest; and whether it is right.

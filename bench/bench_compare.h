@@ -13,6 +13,8 @@ namespace ts::bench {
 // How often things are repeated: `least` times, then until `most` or the time is spent.
 struct Effort {
   std::size_t least = 1, most = 1;
+  int rounds = 1;       // of clicks before and after a turn of the baselines
+  bool choose = false;  // try what CHOLMOD is quickest with; else as it comes, which is what all trials ended with
   double turns_ms = 0, batch_ms = 0, factor_ms = 0;
 };
 Effort effort_for(std::size_t triangles, bool quick);
@@ -20,7 +22,7 @@ Effort effort_for(std::size_t triangles, bool quick);
 class Comparison {
  public:
   // Holds a copy of what it needs but the surface, which must outlive the turns' use: it is copied too.
-  Comparison(const mesh::Surface &surface, const features::Features &features, Figures &figures);
+  Comparison(const mesh::Surface &surface, const features::Features &features, const Effort &effort, Figures &figures);
 
   // A click of each baseline.
   void turn();

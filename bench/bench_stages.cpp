@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 
 #include "bench/bench_compare.h"
 #include "bench/bench_pipeline.h"
@@ -77,9 +78,10 @@ double load_ms(const Pipeline &p, const std::vector<unsigned char> &stl) {
   return ms;
 }
 
-// One thread and two in turns, each from the same prepared scan.
-void measure_batches(const Mesh &mesh, const Effort &effort, Figures &figures) {
-  Pipeline one = prepare(mesh, 1), two = prepare(mesh, 2);
+// One thread and two in turns, each from the same prepared scan. `standard` has the default number of threads.
+void measure_batches(const Mesh &mesh, Pipeline standard, const Effort &effort, Figures &figures) {
+  Pipeline one = prepare(mesh, 1);
+  Pipeline two = std::thread::hardware_concurrency() == 2 ? std::move(standard) : prepare(mesh, 2);
   const std::vector<Point> points = proposed_clicks(one);
   Samples times[2];
   const Timer timer;
@@ -108,21 +110,26 @@ void measure_times(const std::string &mesh_file, const RunOptions &options, Figu
   Clicks clicks;
   std::vector<uint32_t> labels(mesh.faces());
   std::optional<Comparison> comparison;
-  const Timer timer;
+  Pipeline p;
+  Timer timer;
   // Preparation, clicks and baselines in turns: what is divided by each other has seen the same machine.
   for (std::size_t turn = 0; turn < effort.least || (turn < effort.most && timer.ms() < effort.turns_ms); ++turn) {
-    Pipeline p = prepare(mesh, 0);
+    p = Pipeline();
+    p = prepare(mesh, 0);
     stages.add(p);
     stages.load.add(load_ms(p, stl));
     if (turn == 0) {
       figures.set("groups", static_cast<double>(features_of(p).groups.size()));
-      click_round(p, 0, labels, clicks);  // warms up
-      clicks = {};
-      if (options.baselines) comparison.emplace(surface_of(p), features_of(p), figures);
+      if (options.baselines) comparison.emplace(surface_of(p), features_of(p), effort, figures);
+      if (effort.rounds > 1) {  // warms up
+        click_round(p, 0, labels, clicks);
+        clicks = {};
+      }
+      timer = Timer();
     }
     click_round(p, turn + 1, labels, clicks);
     if (comparison) comparison->turn();
-    click_round(p, turn + 1001, labels, clicks);
+    if (effort.rounds > 1) click_round(p, turn + 1001, labels, clicks);
   }
   figures.set("turns", static_cast<double>(stages.prepare.size()));
   figures.set("load", stages.load.median());
@@ -144,7 +151,7 @@ void measure_times(const std::string &mesh_file, const RunOptions &options, Figu
   figures.set("labels", clicks.labels.median());
   if (comparison) comparison->finish(effort, figures);
   comparison.reset();
-  measure_batches(mesh, effort, figures);
+  measure_batches(mesh, std::move(p), effort, figures);
 }
 
 }  // namespace ts::bench
