@@ -4,12 +4,14 @@
 // the first makes the mesh and puts it into a file, the second does what a caller does and tells its peak memory, the
 // third takes the times. What a target divides by each other is repeated in turns in one process, and medians are
 // taken. bench_stages.cpp has the clicks, bench_compare.cpp the baselines, bench_targets.cpp what the targets are.
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "bench/bench_run.h"
@@ -42,6 +44,7 @@ Figures: ms unless said otherwise, medians of repetitions in turns.
   (c)        bytes of the factor that a click reads, over the bandwidth of one core: a[i] = b[i] + s * c[i] on 3 x 128 MB
   factor     numeric factorisation of the same matrix (free vertices and nodes), ours and cholmod_factorize
   peak       of a process that does nothing but model, features, segmentation and clicks
+  others     cores that other programs kept busy meanwhile: figures are worth something where this is near 0
 )";
 
 struct Arguments {
@@ -130,18 +133,35 @@ class Folder {
   std::string path_;
 };
 
+// Seconds that all cores have been busy, this process' finished children left out; not_measured if nobody tells.
+double busy_elsewhere_s() {
+  std::ifstream stat("/proc/stat");
+  std::string cpu;
+  double user = 0, nice = 0, system = 0, idle = 0, wait = 0, irq = 0, soft = 0;
+  if (!(stat >> cpu >> user >> nice >> system >> idle >> wait >> irq >> soft)) return not_measured;
+  rusage own{};
+  getrusage(RUSAGE_CHILDREN, &own);
+  const auto seconds = [](const timeval &t) {
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) / 1e6;
+  };
+  return (user + nice + system + irq + soft) / static_cast<double>(sysconf(_SC_CLK_TCK)) - seconds(own.ru_utime) -
+         seconds(own.ru_stime);
+}
+
 Result measure(const std::string &name, unsigned size, const std::string &file, const RunOptions &run) {
   Result result;
   result.name = name;
   result.size = size;
+  const Timer timer;
+  const double busy = busy_elsewhere_s();
   try {
-    const Timer timer;
     if (size > 0)
       result.figures.add(
           in_child([&](Figures &f) { f.set("made_ms", ms_of([&] { write_mesh(make_arch(size), file); })); }));
     result.figures.add(in_child([&](Figures &f) { measure_memory(file, f); }));
     result.figures.add(in_child([&](Figures &f) { measure_times(file, run, f); }));
     result.figures.set("took_s", timer.ms() / 1e3);
+    result.figures.set("others_cores", (busy_elsewhere_s() - busy) / (timer.ms() / 1e3));
   } catch (const std::exception &e) {
     result.failure = e.what();
   }

@@ -35,7 +35,8 @@ void print_result(const Result &result) {
     std::printf(": failed: %s\n", result.failure.c_str());
     return;
   }
-  std::printf(": %.0f triangles, %.0f vertices, %.0f teeth\n", f.get("triangles"), f.get("vertices"), f.get("groups"));
+  std::printf(": %.0f triangles, %.0f vertices, %.0f teeth; took %.0f s, others kept %.1f cores busy\n",
+              f.get("triangles"), f.get("vertices"), f.get("groups"), f.get("took_s"), f.get("others_cores"));
   print_rows(f, "preparation",
              {{"load (binary STL in memory, intake included)", "load", 1, "ms"},
               {"intake", "intake", 1, "ms"},
