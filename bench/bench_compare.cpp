@@ -67,6 +67,7 @@ void Comparison::Parts::set(const std::string &name, Figures &figures) const {
 }
 
 void Comparison::turn() {
+  bandwidth_ = std::max(bandwidth_, triad_bandwidth());
   a_.add(click_with_eigen(problem_, group_));
   if (!cholmod_) return;
   for (const int threads : {1, 2}) {
@@ -82,9 +83,8 @@ void Comparison::finish(const Effort &effort, Figures &figures) {
   // The clicks may use every core, so (b) may too.
   figures.set("b", std::min(b_[0].total.median(), b_[1].total.median()));
 
-  const double bandwidth = triad_bandwidth();
-  figures.set("bandwidth", bandwidth);
-  figures.set("bound", figures.get("field_bytes") / bandwidth * 1e3);
+  figures.set("bandwidth", bandwidth_);
+  figures.set("bound", figures.get("field_bytes") / bandwidth_ * 1e3);
 
   solver_.reset();
   Samples ours[2], theirs[2], analyse;

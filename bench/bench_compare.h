@@ -24,7 +24,7 @@ class Comparison {
   // Holds a copy of what it needs but the surface, which must outlive the turns' use: it is copied too.
   Comparison(const mesh::Surface &surface, const features::Features &features, const Effort &effort, Figures &figures);
 
-  // A click of each baseline.
+  // A click of each baseline, and the bandwidth: of that the best of all turns counts.
   void turn();
 
   // Numeric factorisations in turns, the bound, and the medians of all.
@@ -45,6 +45,7 @@ class Comparison {
     void set(const std::string &name, Figures &figures) const;
   };
   Parts a_, b_[2];
+  double bandwidth_ = 0;
 };
 
 }  // namespace ts::bench
