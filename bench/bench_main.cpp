@@ -193,6 +193,7 @@ int main(int argc, char **argv) {
       std::sort(scans.begin(), scans.end());
       RunOptions run = arguments.run;
       run.quick = true;
+      std::printf("\nreal scans\n");
       for (const auto &scan : scans)
         results.push_back(measure(scan.filename().string(), 0, (scan / "mesh.ply").string(), run));
     }

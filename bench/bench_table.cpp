@@ -26,9 +26,24 @@ void print_rows(const Figures &figures, const char *title, std::initializer_list
     std::printf("    %-52s %10s %s\n", r.text, cell(figures.get(r.figure) * r.scale).c_str(), r.unit);
 }
 
+// A real scan: a line.
+void print_line(const Result &result) {
+  const Figures &f = result.figures;
+  if (!result.failure.empty()) {
+    std::printf("%-24s failed: %s\n", result.name.c_str(), result.failure.c_str());
+    return;
+  }
+  std::printf("%-24s %7.0f triangles %3.0f teeth", result.name.c_str(), f.get("triangles"), f.get("groups"));
+  const std::pair<const char *, const char *> shown[] = {
+      {"prepare", "prepare"}, {"click", "click"}, {"p95", "click_p95"}, {"(a)", "a"}, {"(b)", "b"}};
+  for (const auto &[text, figure] : shown) std::printf("  %s %s", text, cell(f.get(figure)).c_str());
+  std::printf(" ms  peak %s GB\n", cell(f.get("peak_gb")).c_str());
+}
+
 }  // namespace
 
 void print_result(const Result &result) {
+  if (result.size == 0) return print_line(result);
   const Figures &f = result.figures;
   std::printf("\n%s", result.name.c_str());
   if (!result.failure.empty()) {
