@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: `install_deps.sh build|demo|test`. Nothing is asked of the network when all
-# are there. As root or through sudo.
+# Installs the Debian packages that are missing: `install_deps.sh build|demo|test|bench`. Nothing is asked of the network
+# when all are there. As root or through sudo.
 set -euo pipefail
 what=${1:-build}
 packages="g++ cmake ninja-build libeigen3-dev libtbb-dev"
@@ -8,7 +8,8 @@ case $what in
   build) ;;
   demo) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core" ;;
   test) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core doctest-dev libopenmesh-dev pkg-config valgrind" ;;
-  *) echo "install_deps.sh: build, demo or test, not $what" >&2; exit 2 ;;
+  bench) packages="$packages libsuitesparse-dev libopenblas-dev" ;;
+  *) echo "install_deps.sh: build, demo, test or bench, not $what" >&2; exit 2 ;;
 esac
 command -v dpkg-query >/dev/null || { echo "install_deps.sh: needs Debian's packages: $packages" >&2; exit 1; }
 missing=""

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 
 #include "base/error.h"
 #include "field/dense.h"
@@ -70,7 +71,9 @@ Factor::Factor(Laplacian laplacian, Dissection dissection, std::span<const Index
   lay_out();
   keep(most_bytes);
   progress(0.2);
+  const auto begin = std::chrono::steady_clock::now();
   eliminate_all(executor, progress.part(0.2, 1, "factorisation"));
+  elimination_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   // Nothing has to be made again?
   if (std::ranges::all_of(chunk_, [](const Chunk &c) { return c.panels != nullptr; })) weight_ = {}, order_ = {};
 }

@@ -72,6 +72,7 @@ class Factor {
 
   std::size_t most_rows() const { return most_rows_; }
   std::size_t bytes() const;  // of all that is kept
+  double elimination_ms() const { return elimination_ms_; }
 
  private:
   struct Chunk {
@@ -106,6 +107,7 @@ class Factor {
   std::size_t most_rows_ = 0, most_unknowns_ = 0;  // of a part: that it touches; its own with them
 
   Eigen::MatrixXd corner_;
+  double elimination_ms_ = 0;
 };
 
 }  // namespace ts::field

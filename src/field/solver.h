@@ -43,6 +43,7 @@ class Solver {
   Eigen::VectorXd measure(Index vertex) const;
 
   std::size_t bytes() const;  // of what is kept for the clicks
+  double elimination_ms() const { return factor_->elimination_ms(); }  // of making it, the numbers alone
 
  private:
   Vec<Index> node_of_;
