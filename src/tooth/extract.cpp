@@ -5,6 +5,7 @@
 
 #include "cut/line.h"
 #include "cut/refine.h"
+#include "tooth/warnings.h"
 
 namespace ts::tooth {
 namespace {
@@ -252,6 +253,7 @@ Tooth extract_tooth(const Prepared &p, const Fields &fields, const Selection &se
   if (tooth.area / p.widened > p.options.area_max) tooth.warnings |= Warning::area_large;
   if (p.live.size() < 2) tooth.warnings |= Warning::no_neighbour;
   if (!p.rejected[group].empty()) tooth.warnings |= Warning::seed_rejected;
+  tooth.warnings |= warnings_of_shape(p, group, tooth.vertices);
   add_cuts(p, fields, tooth, inside);
   tooth.confidence = confidence(p, own, tooth);
   return tooth;

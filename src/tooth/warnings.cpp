@@ -1,0 +1,60 @@
+#include "tooth/warnings.h"
+
+#include <algorithm>
+
+namespace ts::tooth {
+namespace {
+
+// Extent of a crown along the arch, mm and over its stretch of the arch. Of 485 crowns with an IoU of .9 or more (the
+// 15 labelled scans with both presets, 16 synthetic arches up to severe crowding) the extents are 5.2 to 13.8 and .86
+// to 1.82 of the stretch (turned and overlapping teeth). Of 37 with an IoU under .5 33 lie outside these limits, of the
+// 33 from there to .75 ten.
+constexpr double kNarrow = 4, kWide = 16, kLeastOfStretch = 0.65, kMostOfStretch = 2.1;
+
+// Where the arch is `s` mm from its beginning, seen along the occlusal direction.
+Vec3 arch_point(const features::Features &f, double s) {
+  Vec3 at = f.arch.front();
+  for (std::size_t i = 1; i < f.arch.size() && s > 0; ++i) {
+    const Vec3 step = f.arch[i] - f.arch[i - 1];
+    const double length = (step - step.dot(f.occlusal) * f.occlusal).norm();
+    at = f.arch[i - 1] + (length > s ? s / length : 1) * step;
+    s -= length;
+  }
+  return at;
+}
+
+}  // namespace
+
+Vec<Vec3> along_the_arch(const features::Features &features) {
+  Vec<Vec3> along;
+  for (const features::Group &g : features.groups) {
+    Vec3 way = Vec3::Zero();
+    if (g.to > g.from && !features.arch.empty()) {
+      way = arch_point(features, g.to) - arch_point(features, g.from);
+      way -= way.dot(features.occlusal) * features.occlusal;
+    }
+    along.push_back(way.norm() > 0 ? way.normalized() : Vec3::Zero());
+  }
+  return along;
+}
+
+std::uint32_t warnings_of_shape(const Prepared &p, Index group, std::span<const Index> vertices) {
+  std::uint32_t warnings = 0;
+  const Vec3 &along = p.along[group];
+  if (!vertices.empty() && !along.isZero()) {
+    const auto [first, last] =
+        std::ranges::minmax(vertices, {}, [&](Index v) { return p.surface->position[v].dot(along); });
+    const double extent = (p.surface->position[last] - p.surface->position[first]).dot(along);
+    if (extent < std::max(kNarrow, kLeastOfStretch * p.width[group]) ||
+        extent > std::min(kWide, kMostOfStretch * p.width[group]))
+      warnings |= Warning::width;
+  }
+  // Also a point that was freed: it stood for a tooth that this one may have swallowed. None lies on any of the 198
+  // teeth of the labelled scans.
+  for (std::size_t i = 0; i < p.sites.point.size(); ++i)
+    if (p.sites.group[i] != group && std::ranges::binary_search(vertices, p.sites.point[i]))
+      warnings |= Warning::two_groups;
+  return warnings;
+}
+
+}  // namespace ts::tooth

@@ -1,0 +1,15 @@
+// What looks wrong about a tooth that has been cut out, beside its area and its cut.
+#pragma once
+
+#include "tooth/prepared.h"
+#include "tooth/tooth.h"
+
+namespace ts::tooth {
+
+// For each group the unit vector along the arch where its stretch of it is; zero if unknown (set by hand).
+Vec<Vec3> along_the_arch(const features::Features &features);
+
+// Warning::width and Warning::two_groups, from the tooth's vertices.
+std::uint32_t warnings_of_shape(const Prepared &prepared, Index group, std::span<const Index> vertices);
+
+}  // namespace ts::tooth
