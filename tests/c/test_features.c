@@ -170,7 +170,7 @@ static mesh two_arches(int biting) {
     double *to = two.xyz + 3 * (i + one.vertices);
     to[0] = biting ? -from[0] : from[0] + high[0] - low[0] + 5;
     to[1] = from[1];
-    to[2] = biting ? high[2] + 1 + 0.7 * (high[2] - from[2]) : from[2];
+    to[2] = biting ? high[2] + 1 + 0.5 * (high[2] - from[2]) : from[2];
   }
   for (i = 0; i < 3 * (size_t)one.faces; ++i)
     two.triangles[3 * (size_t)one.faces + i] = one.triangles[i] + one.vertices;
