@@ -594,6 +594,7 @@ typedef enum ts_tooth_warning {
   TS_WARN_SEED_REJECTED = 32, /**< a feature point contradicted the field and was not used */
   TS_WARN_WIDTH = 64,         /**< wider or narrower along the arch than a tooth is, or than its stretch of the arch */
   TS_WARN_TWO_GROUPS = 128,   /**< a feature point of another group lies on it, before overlaps are resolved */
+  TS_WARN_FLAT_TOP = 256,     /**< its top is one plane: a scan body or a post, not a crown */
   TS_WARN_FORCE_INT = 0x7fffffff
 } ts_tooth_warning;
 

@@ -253,7 +253,8 @@ Tooth extract_tooth(const Prepared &p, const Fields &fields, const Selection &se
   if (tooth.area / p.widened > p.options.area_max) tooth.warnings |= Warning::area_large;
   if (p.live.size() < 2) tooth.warnings |= Warning::no_neighbour;
   if (!p.rejected[group].empty()) tooth.warnings |= Warning::seed_rejected;
-  tooth.warnings |= warnings_of_shape(p, group, tooth.vertices);
+  tooth.warnings |=
+      warnings_of_place(p, group, tooth.vertices) | warnings_of_shape(surface, tooth.faces, p.occlusal, p.inside_out);
   add_cuts(p, fields, tooth, inside);
   tooth.confidence = confidence(p, own, tooth);
   return tooth;

@@ -69,6 +69,7 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   p.widened = valleys.widened;
   for (const features::Group &g : features.groups) p.width.push_back(std::max(0.0, g.to - g.from));
   p.along = along_the_arch(features);
+  p.occlusal = features.occlusal;
   progress.part(0.2, 0.3, "weights")(0);
   const Vec<double> weight = field::edge_weights(
       surface, p.concavity,

@@ -25,6 +25,7 @@ struct Prepared {
   double widened = 1;        // of areas, by noise
   Vec<double> seam;          // an edge, 1/mm: where the min-cut likes to run
   Vec<double> width;         // a group: of its stretch of the arch, mm; 0 if unknown
+  Vec3 occlusal = Vec3::Zero();
   Vec<Vec3> along;           // a group: unit vector along the arch; zero if unknown
   Vec<double> cotangent;     // an edge, for the smoothing of lines
   Vec<double> click_cost;    // an edge

@@ -20,6 +20,7 @@ enum Warning : std::uint32_t {
   seed_rejected = 32,
   width = 64,
   two_groups = 128,
+  flat_top = 256,
 };
 
 struct Cut {

@@ -1,5 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "made_up.h"
 #include "tooth/segmenter.h"
 #include "tooth/warnings.h"
@@ -49,7 +52,7 @@ TEST_CASE("a crown that is no tooth's width is said to be") {
   const Row r = on_an_arch(3);
   const Prepared p = prepare(r.surface, r.features, default_options(), one, {});
   const auto warned = [&](double from, double to) {
-    return (warnings_of_shape(p, 1, corners(r, from, to)) & Warning::width) != 0;
+    return (warnings_of_place(p, 1, corners(r, from, to)) & Warning::width) != 0;
   };
   const double x = centre_x(1);
   CHECK(!warned(x - 3.4, x + 3.4));
@@ -57,12 +60,12 @@ TEST_CASE("a crown that is no tooth's width is said to be") {
   CHECK(warned(x - 7.5, x + 7.5));  // 2.2 times its stretch of the arch, though not wider than any tooth
   CHECK(!warned(x - 2.5, x + 2.5));
   CHECK(warned(x - 2, x + 2));  // .6 of it
-  CHECK((warnings_of_shape(p, 1, {}) & Warning::width) == 0);
+  CHECK((warnings_of_place(p, 1, {}) & Warning::width) == 0);
 
   // Where the place on the arch is not known, nothing is said.
   Row by_hand = row(3);
   const Prepared q = prepare(by_hand.surface, by_hand.features, default_options(), one, {});
-  CHECK((warnings_of_shape(q, 1, corners(by_hand, 0, 30)) & Warning::width) == 0);
+  CHECK((warnings_of_place(q, 1, corners(by_hand, 0, 30)) & Warning::width) == 0);
 }
 
 TEST_CASE("no warning on good teeth; a stretch of the arch that does not fit one") {
@@ -85,6 +88,45 @@ TEST_CASE("a tooth with another group's point on it, used or freed") {
   for (const Tooth &t : c.teeth) CHECK((t.warnings & Warning::two_groups) == (t.group == 1 ? Warning::two_groups : 0u));
 
   const Prepared p = prepare(r.surface, r.features, paper_options(), one, {});  // frees none
-  CHECK((warnings_of_shape(p, 2, corners(r, centre_x(1) - 3, centre_x(1) + 3)) & Warning::two_groups) != 0);
-  CHECK((warnings_of_shape(p, 2, corners(r, centre_x(2) - 3, centre_x(2) + 3)) & Warning::two_groups) == 0);
+  CHECK((warnings_of_place(p, 2, corners(r, centre_x(1) - 3, centre_x(1) + 3)) & Warning::two_groups) != 0);
+  CHECK((warnings_of_place(p, 2, corners(r, centre_x(2) - 3, centre_x(2) + 3)) & Warning::two_groups) == 0);
+}
+
+TEST_CASE("a post with a flat top is no crown, whichever way its faces look") {
+  // A post of radius 2.5 and height 8, from its foot up; `bulge`: how much of a dome its top is, mm.
+  const auto post = [](double bulge, bool inwards) {
+    const Index around = 40, rings = 30, walls = 16;
+    Vec<Vec3> p;
+    Vec<mesh::Triangle> t;
+    for (Index i = 0; i <= rings; ++i)
+      for (Index k = 0; k < around; ++k) {
+        const double a = 2 * std::numbers::pi * k / around,
+                     in = i <= walls ? 1 : 1 - (i - walls) / (rings - walls + 0.5);
+        const double h = i <= walls ? 8.0 * i / walls : 8 + bulge * (1 - in * in);
+        p.push_back({2.5 * in * std::cos(a), 2.5 * in * std::sin(a), h});
+      }
+    for (Index i = 0; i < rings; ++i)
+      for (Index k = 0; k < around; ++k) {
+        const Index a = i * around + k, b = i * around + (k + 1) % around, c = a + around, d = b + around;
+        t.push_back({a, b, d});
+        t.push_back({a, d, c});
+      }
+    if (inwards)
+      for (mesh::Triangle &x : t) std::swap(x[1], x[2]);
+    return mesh::make_surface(std::move(p), std::move(t));
+  };
+  const auto warned = [](const mesh::Surface &s, bool inwards, const Vec3 &occlusal) {
+    Vec<Index> all;
+    for (Index f = 0; f < s.faces(); ++f) all.push_back(f);
+    return warnings_of_shape(s, all, occlusal, inwards);
+  };
+  const Vec3 up = Vec3::UnitZ(), tilted = Vec3(0.3, 0, 1).normalized();
+  for (const bool inwards : {false, true}) {
+    CHECK(warned(post(0, inwards), inwards, up) == Warning::flat_top);
+    CHECK(warned(post(0, inwards), inwards, tilted) == Warning::flat_top);
+    CHECK(warned(post(0.1, inwards), inwards, up) == Warning::flat_top);
+    CHECK(warned(post(1.5, inwards), inwards, up) == 0);
+    CHECK(warned(post(0, inwards), inwards, Vec3::Zero()) == 0);  // by hand: no direction, nothing is said
+  }
+  CHECK(warnings_of_shape(post(0, false), {}, up, false) == 0);
 }
