@@ -6,10 +6,10 @@
 namespace ts::tooth {
 namespace {
 
-// Extent of a crown along the arch, mm and over its stretch of the arch. Of 475 crowns with an IoU of .9 or more (the 15
-// labelled scans with both presets, 16 synthetic arches up to severe crowding) the extents are 5.2 to 13.8 and .86 to
-// 1.82 of the stretch (turned and overlapping teeth). It tells fields that ran away: with the paper's preset 32 of 37
-// teeth under an IoU of .5 lie outside these limits, and 9 of 33 from there to .75.
+// Extent of a crown along the arch, mm and over its stretch of the arch. Of 475 crowns with an IoU of .9 or more (the
+// 15 labelled scans with both presets, 16 synthetic arches up to severe crowding) the extents are 5.2 to 13.8 and .86
+// to 1.82 of the stretch (turned and overlapping teeth). It tells fields that ran away: with the paper's preset 32 of
+// 37 teeth under an IoU of .5 lie outside these limits, and 9 of 33 from there to .75.
 constexpr double kNarrow = 4, kWide = 16, kLeastOfStretch = 0.65, kMostOfStretch = 2.1;
 
 // Share of what faces the other jaw (to 60 degrees from the mean direction of its highest 2 mm) that lies in that
