@@ -15,20 +15,20 @@ struct Prepared {
   const Executor *executor = nullptr;
   Options options;
   bool inside_out = false;  // the faces look inwards
+  Vec3 occlusal = Vec3::Zero();
   Index groups = 0;
-  Vec<Index> live;               // groups with a point in use, ascending: along the arch
-  field::Sites sites;            // the points in use
-  Vec<Index> group_at;           // a vertex: the group of the point there, or none; rejected points left out
-  Vec<Vec<Index>> rejected;      // a group: places in Group::points
-  Vec<double> concavity;         // a vertex, 1/mm
-  double lengthened = 1;         // of paths, by noise
-  double widened = 1;            // of areas, by noise
-  Vec<double> seam;              // an edge, 1/mm: where the min-cut likes to run
-  Vec<double> width;             // a group: of its stretch of the arch, mm; 0 if unknown
-  Vec3 occlusal = Vec3::Zero();  // zero if set by hand without one
-  Vec<Vec3> along;               // a group: unit vector along the arch; zero if unknown
-  Vec<double> cotangent;         // an edge, for the smoothing of lines
-  Vec<double> click_cost;        // an edge
+  Vec<Index> live;           // groups with a point in use, ascending: along the arch
+  field::Sites sites;        // the points in use
+  Vec<Index> group_at;       // a vertex: the group of the point there, or none; rejected points left out
+  Vec<Vec<Index>> rejected;  // a group: places in Group::points
+  Vec<double> concavity;     // a vertex, 1/mm
+  double lengthened = 1;     // of paths, by noise
+  double widened = 1;        // of areas, by noise
+  Vec<double> seam;          // an edge, 1/mm: where the min-cut likes to run
+  Vec<double> width;         // a group: of its stretch of the arch, mm; 0 if unknown
+  Vec<Vec3> along;           // a group: unit vector along the arch; zero if unknown
+  Vec<double> cotangent;     // an edge, for the smoothing of lines
+  Vec<double> click_cost;    // an edge
   field::Nodes nodes;
   Vec<std::uint8_t> outlier;  // a node
   std::unique_ptr<const field::Solver> solver;
