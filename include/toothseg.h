@@ -345,9 +345,25 @@ typedef struct ts_features_info {
   uint32_t groups;
   uint32_t points;
   uint32_t inside_out; /**< 1 if the detection found that the faces look inwards; everything works all the same */
+  uint32_t warnings;   /**< sum of ts_features_warning */
+  uint32_t reserved;
+  double opposed;      /**< roughness that faces against the occlusal direction over that which faces with it: under
+                            .05 on most scans of one jaw, at most .33; .5 to 1 for two jaws in occlusion */
+  double coverage;     /**< share of the roughness within 14 mm of the arch curve: .9 and more on scans of one jaw */
+  double arch_length;  /**< of the arch curve, mm: up to 180 on scans of one jaw */
 } ts_features_info;
 
-/** Counts, and what the detection saw. `info->struct_size` in, the rest out. */
+/** What the detection found odd about the scan as a whole. Results are there all the same, and may be wrong or not all
+ *  there is. */
+typedef enum ts_features_warning {
+  TS_WARN_FEATURES_INSIDE_OUT = 1,     /**< the faces look inwards: harmless */
+  TS_WARN_FEATURES_OPPOSED = 2,        /**< teeth look both ways: two jaws in occlusion, or the direction is wrong */
+  TS_WARN_FEATURES_SEVERAL_ARCHES = 4, /**< much that is as rough as teeth lies off the arch, or the arch is longer than
+                                            any jaw's: two jaws side by side */
+  TS_WARN_FEATURES_FORCE_INT = 0x7fffffff
+} ts_features_warning;
+
+/** Counts, and what the detection saw (0 in a set made by hand). `info->struct_size` in, the rest out. */
 TS_API TS_NODISCARD ts_status ts_features_get_info(const ts_features *features, ts_features_info *info);
 
 typedef struct ts_feature_point {
@@ -576,6 +592,9 @@ typedef enum ts_tooth_warning {
   TS_WARN_SEVERAL_LOOPS = 8,  /**< the cut is not one closed line */
   TS_WARN_NO_NEIGHBOUR = 16,  /**< no neighbour was there to be background */
   TS_WARN_SEED_REJECTED = 32, /**< a feature point contradicted the field and was not used */
+  TS_WARN_WIDTH = 64,         /**< wider or narrower along the arch than a tooth is, or than its stretch of the arch */
+  TS_WARN_TWO_GROUPS = 128,   /**< a feature point of another group lies on it, before overlaps are resolved */
+  TS_WARN_FLAT_TOP = 256,     /**< its top is one plane: a scan body or a post, not a crown */
   TS_WARN_FORCE_INT = 0x7fffffff
 } ts_tooth_warning;
 

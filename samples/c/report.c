@@ -40,19 +40,33 @@ static int write_intake(const run *r, json *j) {
   return 1;
 }
 
-static void write_warnings(json *j, uint32_t warnings) {
-  static const struct {
-    uint32_t bit;
-    const char *name;
-  } names[] = {{TS_WARN_AREA_SMALL, "area_small"},         {TS_WARN_AREA_LARGE, "area_large"},
-               {TS_WARN_OPEN_AT_BORDER, "open_at_border"}, {TS_WARN_SEVERAL_LOOPS, "several_loops"},
-               {TS_WARN_NO_NEIGHBOUR, "no_neighbour"},     {TS_WARN_SEED_REJECTED, "seed_rejected"}};
+typedef struct bit_name {
+  uint32_t bit;
+  const char *name;
+} bit_name;
+
+static const bit_name of_scan[] = {{TS_WARN_FEATURES_INSIDE_OUT, "inside_out"},
+                                   {TS_WARN_FEATURES_OPPOSED, "opposed"},
+                                   {TS_WARN_FEATURES_SEVERAL_ARCHES, "several_arches"}};
+
+static const bit_name of_tooth[] = {{TS_WARN_AREA_SMALL, "area_small"},
+                                    {TS_WARN_AREA_LARGE, "area_large"},
+                                    {TS_WARN_OPEN_AT_BORDER, "open_at_border"},
+                                    {TS_WARN_SEVERAL_LOOPS, "several_loops"},
+                                    {TS_WARN_NO_NEIGHBOUR, "no_neighbour"},
+                                    {TS_WARN_SEED_REJECTED, "seed_rejected"},
+                                    {TS_WARN_WIDTH, "width"},
+                                    {TS_WARN_TWO_GROUPS, "two_groups"},
+                                    {TS_WARN_FLAT_TOP, "flat_top"}};
+
+static void write_warnings(json *j, uint32_t warnings, const bit_name *names, size_t count) {
   size_t i;
   json_open_array(j, "warnings");
-  for (i = 0; i < sizeof names / sizeof names[0]; ++i)
+  for (i = 0; i < count; ++i)
     if (warnings & names[i].bit) json_text(j, NULL, names[i].name);
   json_close_array(j);
 }
+#define WRITE_WARNINGS(j, warnings, names) write_warnings(j, warnings, names, sizeof(names) / sizeof(names)[0])
 
 static ts_status write_loops(const run *r, json *j, const ts_tooth_info *tooth) {
   uint32_t loop;
@@ -92,7 +106,7 @@ static int write_teeth(const run *r, json *j) {
     json_number(j, "iso", tooth->iso);
     json_number(j, "gradient", tooth->gradient);
     json_number(j, "confidence", tooth->confidence);
-    write_warnings(j, tooth->warnings);
+    WRITE_WARNINGS(j, tooth->warnings, of_tooth);
     status = write_loops(r, j, tooth);
     json_close_object(j);
   }
@@ -197,6 +211,10 @@ int write_report(const run *r, FILE *file) {
   if (!write_intake(r, &j)) return 0;
   json_point(&j, "occlusal", occlusal);
   json_bool(&j, "inside_out", features.inside_out != 0);
+  json_number(&j, "opposed", features.opposed);
+  json_number(&j, "coverage", features.coverage);
+  json_number(&j, "arch_length", features.arch_length);
+  WRITE_WARNINGS(&j, features.warnings, of_scan);
   json_open_object(&j, "counts");
   json_count(&j, "teeth", r->tooth_count);
   json_count(&j, "clicks", r->click_count);

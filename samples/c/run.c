@@ -11,11 +11,18 @@ int complain_status(const char *where, ts_status status) {
   return complain("%s: %s: %s", where, ts_status_name(status), ts_last_error_message());
 }
 
+/* What the library warns of must not need a report to be seen. */
+static void pass_on(ts_log_level level, const char *text, void *scan) {
+  if (level == TS_LOG_WARNING) complain("%s: %s", (const char *)scan, text);
+}
+
 static ts_status make_context(const options *o, ts_context **out) {
   ts_context_options c;
   ts_status status = ts_context_options_init(&c, sizeof c);
   if (status != TS_OK) return status;
   c.threads = o->threads;
+  c.log = pass_on;
+  c.log_user = (void *)o->scan;
   return ts_context_create(&c, out);
 }
 
@@ -62,8 +69,7 @@ static int propose(run *r) {
   status = ts_propose_clicks(r->segmentation, xyz, count, &count);
   if (status == TS_OK) {
     memset(more + r->click_count, 0, (size_t)count * sizeof *more);
-    for (i = 0; i < count; ++i)
-      memcpy(more[r->click_count + i].position, xyz + 3 * (size_t)i, 3 * sizeof *xyz);
+    for (i = 0; i < count; ++i) memcpy(more[r->click_count + i].position, xyz + 3 * (size_t)i, 3 * sizeof *xyz);
     r->click_count += count;
   }
   free(xyz);
@@ -144,7 +150,8 @@ static int collect_teeth(run *r) {
   return status == TS_OK ? 1 : complain_status(r->options->scan, status);
 }
 
-/* The clicks from `first` on, one after the other and not with ts_segment_clicks, for the message of each that fails. */
+/* The clicks from `first` on, one after the other and not with ts_segment_clicks, for the message of each that fails.
+ */
 static int click_from(run *r, uint32_t first) {
   uint32_t i;
   for (i = first; i < r->click_count; ++i) {

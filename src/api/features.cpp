@@ -2,6 +2,7 @@
 #include "api/guard.h"
 #include "api/model_handle.h"
 #include "features/detect.h"
+#include "features/doubts.h"
 
 using namespace ts::api;
 using ts::AllocatorScope;
@@ -34,6 +35,21 @@ features::DetectOptions detect_options(const ts_feature_options &o) {
   d.radius = o.radius;
   d.occlusal = {o.occlusal[0], o.occlusal[1], o.occlusal[2]};
   return d;
+}
+
+static_assert(static_cast<uint32_t>(features::Doubt::inside_out) == TS_WARN_FEATURES_INSIDE_OUT);
+static_assert(static_cast<uint32_t>(features::Doubt::opposed) == TS_WARN_FEATURES_OPPOSED);
+static_assert(static_cast<uint32_t>(features::Doubt::several_arches) == TS_WARN_FEATURES_SEVERAL_ARCHES);
+
+void write_doubts(const Context &context, const features::Looks &looks) {
+  const auto say = [&](const std::string &text) { context.write_log(TS_LOG_WARNING, "features: " + text); };
+  if (looks.warnings & features::Doubt::inside_out) say("the faces of the mesh look inwards");
+  if (looks.warnings & features::Doubt::opposed)
+    say("teeth look both ways along the occlusal direction (" + std::to_string(looks.opposed) +
+        " of the roughness that looks with it looks against it): two jaws in occlusion?");
+  if (looks.warnings & features::Doubt::several_arches)
+    say("only " + std::to_string(looks.coverage) + " of the roughness lies near the arch curve of " +
+        std::to_string(looks.length) + " mm: more than one arch?");
 }
 
 // Edits a copy and puts it in place at the end, so that a failure leaves the set as it was.
@@ -77,7 +93,7 @@ ts_status ts_detect_features(const ts_model *model, const ts_feature_options *op
     state->ms = watch.ms();
     context.write_log(TS_LOG_INFO, "features: " + std::to_string(state->set.groups().size()) + " groups, " +
                                        std::to_string(state->set.points().size()) + " points");
-    if (state->set.inside_out()) context.write_log(TS_LOG_WARNING, "features: the faces of the mesh look inwards");
+    write_doubts(context, state->set.looks());
     *out = new ts_features{std::move(state)};
   });
 }
@@ -111,7 +127,8 @@ ts_status ts_features_get_info(const ts_features *features, ts_features_info *in
     const FeatureSet &set = features->state->set;
     write_struct(info,
                  ts_features_info{0, static_cast<uint32_t>(set.groups().size()),
-                                  static_cast<uint32_t>(set.points().size()), set.inside_out()},
+                                  static_cast<uint32_t>(set.points().size()), set.inside_out(), set.looks().warnings, 0,
+                                  set.looks().opposed, set.looks().coverage, set.looks().length},
                  info->struct_size, "ts_features_info");
   });
 }

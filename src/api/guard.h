@@ -54,6 +54,11 @@ struct Released {
   static constexpr uint32_t sizes[] = {sizeof(T)};
 };
 
+template <>
+struct Released<ts_features_info> {
+  static constexpr uint32_t sizes[] = {16, sizeof(ts_features_info)};  // without the warnings
+};
+
 template <class T>
 void check_size(uint32_t struct_size, const char *name) {
   if (std::ranges::find(Released<T>::sizes, struct_size) == std::end(Released<T>::sizes))

@@ -20,6 +20,9 @@ static_assert(static_cast<uint32_t>(tooth::Warning::open_at_border) == TS_WARN_O
 static_assert(static_cast<uint32_t>(tooth::Warning::several_loops) == TS_WARN_SEVERAL_LOOPS);
 static_assert(static_cast<uint32_t>(tooth::Warning::no_neighbour) == TS_WARN_NO_NEIGHBOUR);
 static_assert(static_cast<uint32_t>(tooth::Warning::seed_rejected) == TS_WARN_SEED_REJECTED);
+static_assert(static_cast<uint32_t>(tooth::Warning::width) == TS_WARN_WIDTH);
+static_assert(static_cast<uint32_t>(tooth::Warning::two_groups) == TS_WARN_TWO_GROUPS);
+static_assert(static_cast<uint32_t>(tooth::Warning::flat_top) == TS_WARN_FLAT_TOP);
 
 const Click &find_click(const ts_segmentation *s, uint32_t click) {
   need(s, "segmentation");

@@ -8,7 +8,8 @@
 namespace ts::features {
 
 struct Analysis {
-  Orientation looks;
+  Orientation orientation;
+  Looks looks;
   Plan plan;
   TopView view;
   Strip strip;

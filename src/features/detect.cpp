@@ -3,6 +3,7 @@
 #include <string>
 
 #include "features/analysis.h"
+#include "features/doubts.h"
 #include "features/points.h"
 #include "features/weights.h"
 
@@ -25,21 +26,23 @@ Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, con
   for (std::size_t i = 0; i < samples.size(); ++i) position[i] = samples[i].position;
   const Vec<double> cv = geometry::convexity(bins, position, {}, options.radius, executor);
   progress(0.5);
-  const Orientation looks = orientation(samples, cv, options.occlusal);
-  const Plan plan(looks.occlusal, frame);
-  const ArchCurve curve = arch_curve(samples, cv, looks.inside_out, plan);
-  const TopView view(surface, plan, looks.inside_out);
+  const Orientation up = orientation(samples, cv, options.occlusal);
+  const Plan plan(up.occlusal, frame);
+  const ArchCurve curve = arch_curve(samples, cv, up.inside_out, plan);
+  const Looks looks = looks_of(samples, cv, up, curve, plan);
+  const TopView view(surface, plan, up.inside_out);
   progress(0.7);
-  const Strip strip = make_strip(curve, view, plan, bins, looks.inside_out, options.radius, executor);
+  const Strip strip = make_strip(curve, view, plan, bins, up.inside_out, options.radius, executor);
   progress(0.9);
-  return {looks, plan, view, strip, gather(strip, executor)};
+  return {up, looks, plan, view, strip, gather(strip, executor)};
 }
 
 Features divide(const mesh::Surface &surface, const Analysis &a, const Weights &weights, const DetectOptions &options) {
   const Division division = best_division(Lattice(a.evidence, weights));
   Features found;
-  found.occlusal = a.looks.occlusal;
-  found.inside_out = a.looks.inside_out;
+  found.occlusal = a.orientation.occlusal;
+  found.inside_out = a.orientation.inside_out;
+  found.looks = a.looks;
   float height = 0;
   for (int i = 0; i < a.strip.slices; i += 4) {
     const Vec2 p = a.strip.curve.point[i];

@@ -8,7 +8,7 @@
 namespace ts::features {
 
 FeatureSet::FeatureSet(const Features &found)
-    : occlusal_(found.occlusal), arch_(found.arch), inside_out_(found.inside_out) {
+    : occlusal_(found.occlusal), arch_(found.arch), inside_out_(found.inside_out), looks_(found.looks) {
   for (const features::Group &g : found.groups) {
     const Index id = next_group_++;
     groups_.push_back({id, g.from, g.to, g.confidence, Vec3::Zero(), 0});
@@ -109,6 +109,7 @@ Features FeatureSet::features() const {
   f.occlusal = occlusal_;
   f.arch = arch_;
   f.inside_out = inside_out_;
+  f.looks = looks_;
   for (const Group &g : groups_) {
     f.groups.push_back({{}, g.from, g.to, g.confidence});
     for (const Point &p : points_)

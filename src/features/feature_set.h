@@ -28,6 +28,7 @@ class FeatureSet {
   void set_occlusal(const Vec3 &unit) { occlusal_ = unit; }
   const Vec<Vec3> &arch() const { return arch_; }
   bool inside_out() const { return inside_out_; }
+  const Looks &looks() const { return looks_; }
   const Vec<Point> &points() const { return points_; }  // in the order of their groups
   const Vec<Group> &groups() const { return groups_; }  // along the arch
 
@@ -51,6 +52,7 @@ class FeatureSet {
   Vec3 occlusal_ = Vec3::Zero();
   Vec<Vec3> arch_;
   bool inside_out_ = false;
+  Looks looks_;
   Vec<Point> points_;
   Vec<Group> groups_;
   Index next_point_ = 0, next_group_ = 0;

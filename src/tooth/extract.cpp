@@ -6,6 +6,7 @@
 #include "cut/line.h"
 #include "cut/refine.h"
 #include "tooth/level.h"
+#include "tooth/warnings.h"
 
 namespace ts::tooth {
 namespace {
@@ -174,6 +175,8 @@ Tooth extract_tooth(const Prepared &p, Fields &fields, const Selection &selectio
   if (tooth.area / p.widened > p.options.area_max) tooth.warnings |= Warning::area_large;
   if (p.live.size() < 2) tooth.warnings |= Warning::no_neighbour;
   if (!p.rejected[group].empty()) tooth.warnings |= Warning::seed_rejected;
+  tooth.warnings |=
+      warnings_of_place(p, group, tooth.vertices) | warnings_of_shape(surface, tooth.faces, p.occlusal, p.inside_out);
   add_cuts(p, tooth, *space);
   tooth.confidence = confidence(mean_inside(p, fields, is_target, tooth.faces), tooth);
   return tooth;

@@ -5,6 +5,7 @@
 
 #include "cut/refine.h"
 #include "geometry/concavity.h"
+#include "tooth/warnings.h"
 
 namespace ts::tooth {
 namespace {
@@ -67,6 +68,8 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   p.lengthened = valleys.lengthened;
   p.widened = valleys.widened;
   for (const features::Group &g : features.groups) p.width.push_back(std::max(0.0, g.to - g.from));
+  p.along = along_the_arch(features);
+  p.occlusal = features.occlusal;
   progress.part(0.2, 0.3, "weights")(0);
   const Vec<double> weight = field::edge_weights(
       surface, p.concavity,

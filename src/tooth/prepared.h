@@ -16,6 +16,7 @@ struct Prepared {
   const Executor *executor = nullptr;
   Options options;
   bool inside_out = false;  // the faces look inwards
+  Vec3 occlusal = Vec3::Zero();
   Index groups = 0;
   Vec<Index> live;           // groups with a point in use, ascending: along the arch
   field::Sites sites;        // the points in use
@@ -26,6 +27,7 @@ struct Prepared {
   double widened = 1;        // of areas, by noise
   Vec<double> seam;          // an edge, 1/mm: where the min-cut likes to run
   Vec<double> width;         // a group: of its stretch of the arch, mm; 0 if unknown
+  Vec<Vec3> along;           // a group: unit vector along the arch; zero if unknown
   Vec<double> cotangent;     // an edge, for the smoothing of lines
   Vec<double> click_cost;    // an edge
   field::Nodes nodes;

@@ -18,6 +18,9 @@ enum Warning : std::uint32_t {
   several_loops = 8,
   no_neighbour = 16,
   seed_rejected = 32,
+  width = 64,
+  two_groups = 128,
+  flat_top = 256,
 };
 
 struct Cut {

@@ -101,6 +101,12 @@ static void info_counts(void) {
   REQUIRE_STATUS(ts_features_create(s.model, &empty), TS_OK);
   REQUIRE_STATUS(ts_features_get_info(empty, &info), TS_OK);
   CHECK(info.groups == 0 && info.points == 0 && info.inside_out == 0);
+  CHECK(info.warnings == 0 && info.opposed == 0 && info.coverage == 0 && info.arch_length == 0);
+  /* A program that was built before the struct grew. */
+  memset(&info, 0xa5, sizeof info);
+  info.struct_size = 16;
+  REQUIRE_STATUS(ts_features_get_info(s.features, &info), TS_OK);
+  CHECK(info.struct_size == 16 && info.groups == it.group_count && info.warnings == 0xa5a5a5a5u);
   ts_features_destroy(empty);
 }
 
@@ -124,7 +130,7 @@ static void faces_that_look_inwards(void) {
   info.struct_size = sizeof info;
   REQUIRE_STATUS(ts_detect_features(model, NULL, NULL, &features), TS_OK);
   REQUIRE_STATUS(ts_features_get_info(features, &info), TS_OK);
-  CHECK(info.inside_out == 1);
+  CHECK(info.inside_out == 1 && info.warnings == TS_WARN_FEATURES_INSIDE_OUT);
   CHECK(info.groups == look(s.features).group_count);
   REQUIRE_STATUS(ts_features_get_occlusal(features, occlusal), TS_OK);
   CHECK(occlusal[2] > 0.9);
@@ -138,6 +144,89 @@ static void faces_that_look_inwards(void) {
   ts_features_destroy(features);
   ts_model_destroy(model);
   free_mesh(&m);
+}
+
+/* An arch and a second one: beside it, or biting on it. The one that bites is lower: the very same one would leave no
+ * occlusal direction at all, which is an error. */
+static mesh two_arches(int biting) {
+  const mesh one = make_arch(30000);
+  mesh two = one;
+  double low[3], high[3];
+  size_t i;
+  int k;
+  two.vertices = 2 * one.vertices;
+  two.faces = 2 * one.faces;
+  two.xyz = must_have(3 * sizeof *two.xyz * two.vertices);
+  two.triangles = must_have(3 * sizeof *two.triangles * two.faces);
+  memcpy(two.xyz, one.xyz, 3 * sizeof *one.xyz * one.vertices);
+  memcpy(two.triangles, one.triangles, 3 * sizeof *one.triangles * one.faces);
+  for (k = 0; k < 3; ++k) low[k] = high[k] = one.xyz[k];
+  for (i = 0; i < 3 * (size_t)one.vertices; ++i) {
+    if (one.xyz[i] < low[i % 3]) low[i % 3] = one.xyz[i];
+    if (one.xyz[i] > high[i % 3]) high[i % 3] = one.xyz[i];
+  }
+  for (i = 0; i < one.vertices; ++i) {
+    const double *from = one.xyz + 3 * i;
+    double *to = two.xyz + 3 * (i + one.vertices);
+    to[0] = biting ? -from[0] : from[0] + high[0] - low[0] + 5;
+    to[1] = from[1];
+    to[2] = biting ? high[2] + 1 + 0.5 * (high[2] - from[2]) : from[2];
+  }
+  for (i = 0; i < 3 * (size_t)one.faces; ++i)
+    two.triangles[3 * (size_t)one.faces + i] = one.triangles[i] + one.vertices;
+  two.labels = NULL;
+  free(one.xyz);
+  free(one.triangles);
+  free(one.labels);
+  return two;
+}
+
+static int warned;
+static void count_warnings(ts_log_level level, const char *text, void *user) {
+  (void)user;
+  if (level == TS_LOG_WARNING && strstr(text, "features: ") == text) ++warned;
+}
+
+/* One arch raises no doubt; two in one file do not pass silently, and the log says so too. */
+static void what_is_no_single_arch_is_said(void) {
+  static const struct {
+    const char *name;
+    uint32_t warnings;
+  } cases[] = {{"one", 0}, {"side by side", TS_WARN_FEATURES_SEVERAL_ARCHES}, {"biting", TS_WARN_FEATURES_OPPOSED}};
+  ts_context_options o;
+  ts_context *context = NULL;
+  int i;
+  REQUIRE_STATUS(ts_context_options_init(&o, sizeof o), TS_OK);
+  o.threads = 1;
+  o.log = count_warnings;
+  REQUIRE_STATUS(ts_context_create(&o, &context), TS_OK);
+  for (i = 0; i < 3; ++i) {
+    mesh m = i == 0 ? make_arch(30000) : two_arches(i == 2);
+    ts_model *model = make_model(context, &m);
+    ts_features *features = NULL, *copy = NULL;
+    ts_features_info info;
+    harness_case("%s", cases[i].name);
+    memset(&info, 0, sizeof info);
+    info.struct_size = sizeof info;
+    warned = 0;
+    REQUIRE_STATUS(ts_detect_features(model, NULL, NULL, &features), TS_OK);
+    REQUIRE_STATUS(ts_features_get_info(features, &info), TS_OK);
+    CHECK((info.warnings & cases[i].warnings) == cases[i].warnings);
+    CHECK(i > 0 || info.warnings == 0);
+    CHECK((warned > 0) == (i > 0));
+    CHECK(info.opposed >= 0 && info.opposed <= 1 && info.coverage > 0 && info.coverage <= 1);
+    CHECK(info.arch_length > 80);
+    /* An edit changes nothing about the scan. */
+    REQUIRE_STATUS(ts_features_clone(features, &copy), TS_OK);
+    REQUIRE_STATUS(ts_features_remove_group(copy, look(copy).groups[0].id), TS_OK);
+    REQUIRE_STATUS(ts_features_get_info(copy, &info), TS_OK);
+    CHECK((info.warnings & cases[i].warnings) == cases[i].warnings);
+    ts_features_destroy(copy);
+    ts_features_destroy(features);
+    ts_model_destroy(model);
+    free_mesh(&m);
+  }
+  ts_context_destroy(context);
 }
 
 static void options(void) {
@@ -337,6 +426,7 @@ int main(void) {
   RUN(nothing_that_looks_like_a_tooth);
   RUN(info_counts);
   RUN(faces_that_look_inwards);
+  RUN(what_is_no_single_arch_is_said);
   RUN(options);
   RUN(made_from_nothing);
   RUN(occlusal_is_set_as_a_unit_vector);

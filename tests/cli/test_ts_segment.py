@@ -461,7 +461,8 @@ class Pieces(ToolTest):
 
     def test_half_an_arch(self):
         faces, truth = self.keep(lambda k: self.side(k) > 0)
-        found, wrong, _ = self.segment(faces, truth)
+        found, wrong, report = self.segment(faces, truth)
+        self.assertEqual(report["warnings"], [])
         self.assertGreaterEqual(len(found), self.scan.teeth // 2 - 1)
         self.assertLessEqual(wrong, 1)
 
@@ -484,13 +485,15 @@ class Pieces(ToolTest):
                 (back, self.vertices, True), (back, mirror, False), (self.faces, mirror, True)):
             found, wrong, report = self.segment(faces, self.scan.labels, vertices)
             self.assertEqual((len(found), wrong, report["inside_out"]), (self.scan.teeth, 0, inside_out))
+            self.assertEqual(report["warnings"], ["inside_out"] if inside_out else [])
 
     def test_two_arches_side_by_side(self):
         width = max(v[0] for v in self.vertices) - min(v[0] for v in self.vertices)
         vertices = self.vertices + [(x + width + 10, y, z) for x, y, z in self.vertices]
         faces = self.faces + [[i + len(self.vertices) for i in f] for f in self.faces]
         truth = self.scan.labels + [t and t + 100 for t in self.scan.labels]
-        found, wrong, _ = self.segment(faces, truth, vertices, status=(0, 1))
+        found, wrong, report = self.segment(faces, truth, vertices, status=(0, 1))
+        self.assertIn("several_arches", report["warnings"])
         self.assertGreaterEqual(len(found), self.scan.teeth // 2)  # one curve runs through part of both
         self.assertLessEqual(wrong, 2)  # where it crosses from one to the other
 

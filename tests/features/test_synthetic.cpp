@@ -6,7 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "features/detect.h"
+#include "features/analysis.h"
+#include "features/doubts.h"
 #include "toothseg_arch.h"
 
 using namespace ts;
@@ -117,5 +118,59 @@ TEST_CASE("the features of a turned or mirrored arch are the turned or mirrored 
       for (std::size_t i = 0; i < after.groups[g].points.size(); ++i)
         CHECK(after.groups[g].points[i].vertex == before.groups[g].points[i].vertex);
     }
+  }
+}
+
+// Both in one file, the second one moved.
+mesh::Surface both(const Arch &arch, const Arch &other, const Eigen::Matrix3d &turn, const mesh::Vec3 &shift) {
+  Vec<mesh::Vec3> position = arch.surface.position;
+  Vec<mesh::Triangle> triangle = arch.surface.triangle;
+  const auto n = static_cast<mesh::Index>(position.size());
+  for (const mesh::Vec3 &p : other.surface.position) position.push_back(turn * p + shift);
+  for (mesh::Triangle t : other.surface.triangle) {
+    for (mesh::Index &v : t) v += n;
+    triangle.push_back(t);
+  }
+  return mesh::make_surface(std::move(position), std::move(triangle));
+}
+
+TEST_CASE("two arches in one file do not pass for one") {
+  using features::Doubt;
+  for (const std::uint32_t jaw : {TSA_JAW_UPPER, TSA_JAW_LOWER}) {
+    CAPTURE(jaw);
+    const Arch arch = make(jaw, 0.2, 6, {}, 0);
+    mesh::Vec3 low = arch.surface.position[0], high = low;
+    for (const mesh::Vec3 &p : arch.surface.position) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    const mesh::Vec3 size = high - low;
+    const Eigen::Matrix3d same = Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d round = Eigen::Vector3d(-1, -1, 1).asDiagonal(),
+                          over = Eigen::Vector3d(-1, 1, -1).asDiagonal();
+    const auto looks = [](const mesh::Surface &s) { return features::analyse(s, {}, Executor(1), {}).looks; };
+
+    const features::Looks one = looks(arch.surface);
+    CHECK(one.warnings == 0);
+    CHECK(features::detect(arch.surface, {}, Executor(1), {}).looks.coverage == one.coverage);
+    CHECK(one.opposed < 0.1);
+    CHECK(one.coverage > 0.95);
+    CHECK(one.length > 90);
+    CHECK(one.length < 160);
+
+    const features::Looks beside = looks(both(arch, arch, same, {size.x() + 5, 0, 0}));
+    CHECK(beside.warnings == Doubt::several_arches);
+    CHECK(beside.coverage < 0.85);
+
+    // With the open sides facing each other, whichever that is: the curve runs round both.
+    unsigned said = 0;
+    for (const double y : {2 * low.y() - 5, 2 * high.y() + 5})
+      said |= looks(both(arch, arch, round, {low.x() + high.x(), y, 0})).warnings;
+    CHECK(said == Doubt::several_arches);
+
+    // The very same arch on itself looks nowhere: no_teeth. Two jaws differ. (They may come to no_teeth later on.)
+    const Arch other = make(jaw == TSA_JAW_UPPER ? TSA_JAW_LOWER : TSA_JAW_UPPER, 0.2, 6, {}, 0);
+    double top = other.surface.position[0].z();
+    for (const mesh::Vec3 &p : other.surface.position) top = std::max(top, p.z());
+    const features::Looks biting = looks(both(arch, other, over, {low.x() + high.x(), 0, high.z() + top + 0.5}));
+    CHECK((biting.warnings & Doubt::opposed) != 0);
+    CHECK(biting.opposed > 0.6);
   }
 }
