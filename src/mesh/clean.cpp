@@ -18,6 +18,31 @@ bool is_proper(std::span<const Vec3> position, const Triangle &t) {
   return u.cross(v).norm() > 1e-12 * longest;
 }
 
+constexpr std::size_t kGrain = 1 << 14;
+
+// Faces that are triangles as they are: what is to go is marked by a corner that is none, and then left out.
+void take_triangles(const RawMesh &raw, std::span<const Index> kept, CleanFaces &clean, const Executor &executor) {
+  clean.triangle.resize(raw.faces());
+  clean.source.resize(raw.faces());
+  executor.ranges(raw.faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const std::span<const Index> corners = raw.face(f);
+      const Triangle t{kept[corners[0]], kept[corners[1]], kept[corners[2]]};
+      clean.triangle[f] = is_proper(raw.position, t) ? t : Triangle{none, none, none};
+      clean.source[f] = static_cast<Index>(f);
+    }
+  });
+  std::size_t size = 0;
+  for (std::size_t f = 0; f < raw.faces(); ++f) {
+    if (clean.triangle[f][0] == none) continue;
+    if (size != f) clean.triangle[size] = clean.triangle[f], clean.source[size] = clean.source[f];
+    ++size;
+  }
+  clean.degenerate = static_cast<Index>(raw.faces() - size);
+  clean.triangle.resize(size);
+  clean.source.resize(size);
+}
+
 void cut_polygons(const RawMesh &raw, std::span<const Index> kept, CleanFaces &clean, Progress progress) {
   Triangulator triangulate;
   Vec<Index> polygon;
@@ -49,37 +74,52 @@ void cut_polygons(const RawMesh &raw, std::span<const Index> kept, CleanFaces &c
   }
 }
 
-// same[t]: the first triangle with the corners of t, whichever way round.
-Vec<Index> find_duplicates(std::span<const Triangle> triangle, std::size_t vertices) {
+// same[t]: the first triangle with the corners of t, whichever way round. Empty: none has those of another.
+Vec<Index> find_duplicates(std::span<const Triangle> triangle, const Rows &around, const Executor &executor) {
   struct Key {
     Index middle, high, triangle;
     bool operator<(const Key &o) const {
       return middle != o.middle ? middle < o.middle : high != o.high ? high < o.high : triangle < o.triangle;
     }
+    bool same_corners(const Key &o) const { return middle == o.middle && high == o.high; }
   };
-  const Rows by_low = rows_by(vertices, triangle.size(), [&](std::size_t t, const auto &add) {
-    add(std::min({triangle[t][0], triangle[t][1], triangle[t][2]}));
+  // visit(keys) for each vertex: the triangles of which it is the lowest corner, sorted.
+  const auto each_lowest = [&](const auto &visit) {
+    executor.ranges(around.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      Vec<Key> key;
+      for (std::size_t v = begin; v < end; ++v) {
+        key.clear();
+        for (const Index t : around[v]) {
+          const auto [a, b, c] = triangle[t];
+          if (a == v && b > v && c > v) key.push_back({std::min(b, c), std::max(b, c), t});
+          if (b == v && a > v && c > v) key.push_back({std::min(a, c), std::max(a, c), t});
+          if (c == v && a > v && b > v) key.push_back({std::min(a, b), std::max(a, b), t});
+        }
+        std::sort(key.begin(), key.end());
+        visit(std::span<const Key>(key), begin);
+      }
+    });
+  };
+  Vec<std::uint8_t> found((around.size() + kGrain - 1) / kGrain, 0);
+  each_lowest([&](std::span<const Key> key, std::size_t begin) {
+    for (std::size_t i = 1; i < key.size(); ++i) found[begin / kGrain] |= key[i].same_corners(key[i - 1]);
   });
+  if (std::find(found.begin(), found.end(), 1) == found.end()) return {};
   Vec<Index> same(triangle.size());
-  Vec<Key> key;
-  for (std::size_t v = 0; v < vertices; ++v) {
-    key.clear();
-    for (const Index t : by_low[v]) {
-      Triangle s = triangle[t];
-      std::sort(s.begin(), s.end());
-      key.push_back({s[1], s[2], t});
-    }
-    std::sort(key.begin(), key.end());
-    for (std::size_t i = 0; i < key.size(); ++i) {
-      const bool again = i > 0 && key[i].middle == key[i - 1].middle && key[i].high == key[i - 1].high;
-      same[key[i].triangle] = again ? same[key[i - 1].triangle] : key[i].triangle;
-    }
-  }
+  each_lowest([&](std::span<const Key> key, std::size_t) {
+    for (std::size_t i = 0; i < key.size(); ++i)
+      same[key[i].triangle] = i > 0 && key[i].same_corners(key[i - 1]) ? same[key[i - 1].triangle] : key[i].triangle;
+  });
   return same;
 }
 
-void drop_duplicates(CleanFaces &clean, std::size_t vertices) {
-  const Vec<Index> same = find_duplicates(clean.triangle, vertices);
+void drop_duplicates(CleanFaces &clean, std::size_t vertices, const Executor &executor) {
+  clean.around = faces_around(vertices, clean.triangle);
+  const Vec<Index> same = find_duplicates(clean.triangle, clean.around, executor);
+  if (same.empty()) {
+    for (std::size_t t = clean.triangle.size(); t-- > 0;) clean.label[clean.source[t]] = static_cast<Index>(t);
+    return;
+  }
   Vec<Index> place(same.size());  // of a triangle, or of the one it duplicates, among those kept
   Index size = 0, last_counted = none;
   for (Index t = 0; t < same.size(); ++t) {
@@ -98,6 +138,7 @@ void drop_duplicates(CleanFaces &clean, std::size_t vertices) {
   }
   clean.triangle.resize(size);
   clean.source.resize(size);
+  clean.around = faces_around(vertices, clean.triangle);
 }
 
 // A face that is gone takes the label of the triangle nearest to it among those at its corners (of the first 64 at
@@ -131,11 +172,17 @@ void label_degenerate(const RawMesh &raw, std::span<const Index> kept, CleanFace
 
 }  // namespace
 
-CleanFaces clean_faces(const RawMesh &raw, std::span<const Index> kept, Progress progress) {
+CleanFaces clean_faces(const RawMesh &raw, std::span<const Index> kept, const Executor &executor, Progress progress) {
   CleanFaces clean;
-  cut_polygons(raw, kept, clean, progress);
+  bool triangles = true;
+  for (std::size_t f = 0; f < raw.face_start.size() && triangles; ++f) triangles = raw.face_start[f] == 3 * f;
+  if (triangles)
+    take_triangles(raw, kept, clean, executor);
+  else
+    cut_polygons(raw, kept, clean, progress.part(0, 0.5, "intake"));
+  progress(0.5);
   clean.label.assign(raw.faces(), none);
-  drop_duplicates(clean, raw.position.size());
+  drop_duplicates(clean, raw.position.size(), executor);
   if (clean.degenerate > 0) label_degenerate(raw, kept, clean);
   return clean;
 }

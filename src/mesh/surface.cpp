@@ -4,40 +4,74 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/edge_table.h"
+#include "mesh/edges.h"
 #include "mesh/rows.h"
 
 namespace ts::mesh {
 namespace {
 
-void link_edges(Surface &s) {
-  const EdgeTable table(s.vertices(), s.triangle);
-  s.twin.assign(3 * s.faces(), none);
+constexpr std::size_t kGrain = 1 << 13;
+
+void link_edges(Surface &s, const Executor &executor) {
+  Vec<Index> first(s.vertices() + 1, 0);  // of the edges up from a vertex
+  const auto each_edge = [&](const auto &visit) {
+    executor.ranges(s.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+      EdgesUp up;
+      for (Index v = static_cast<Index>(begin); v < end; ++v)
+        up(s.triangle, v, s.vertex_faces[v],
+           [&](Index high, std::span<const EdgesUp::Side> sides) { visit(v, high, sides); });
+    });
+  };
+  each_edge([&](Index low, Index, std::span<const EdgesUp::Side>) { ++first[low + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  s.edge.resize(first.back());
   s.edge_of.resize(3 * s.faces());
-  s.edge.reserve(s.faces() + s.faces() / 2 + s.vertices() / 16);
-  table.each_edge([&](Index low, Index high, std::span<const EdgeTable::Entry> sides) {
-    for (const auto &[end, h] : sides) s.edge_of[h] = static_cast<Index>(s.edge.size());
-    s.edge.push_back({low, high});
+  s.twin.assign(3 * s.faces(), none);
+  each_edge([&](Index low, Index high, std::span<const EdgesUp::Side> sides) {
+    const Index e = first[low]++;
+    s.edge[e] = {low, high};
+    for (const auto &[end, h] : sides) s.edge_of[h] = e;
     if (sides.size() != 2 || s.from(sides[0][1]) == s.from(sides[1][1])) return;
     s.twin[sides[0][1]] = sides[1][1];
     s.twin[sides[1][1]] = sides[0][1];
   });
 }
 
-void measure(Surface &s) {
+void measure_faces(Surface &s, const Executor &executor) {
   s.face_area.resize(s.faces());
   s.face_normal.resize(s.faces());
-  s.vertex_area.assign(s.vertices(), 0);
-  for (std::size_t f = 0; f < s.faces(); ++f) {
-    const auto [a, b, c] = s.triangle[f];
-    const Vec3 n = (s.position[b] - s.position[a]).cross(s.position[c] - s.position[a]);
-    const double twice = n.norm();
-    s.face_area[f] = twice / 2;
-    s.face_normal[f] = twice > 0 ? Vec3(n / twice) : Vec3(0, 0, 0);
-    for (const Index v : s.triangle[f]) s.vertex_area[v] += twice / 6;
-    s.area += twice / 2;
+  executor.ranges(s.faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto [a, b, c] = s.triangle[f];
+      const Vec3 n = (s.position[b] - s.position[a]).cross(s.position[c] - s.position[a]);
+      const double twice = n.norm();
+      s.face_area[f] = twice / 2;
+      s.face_normal[f] = twice > 0 ? Vec3(n / twice) : Vec3(0, 0, 0);
+    }
+  });
+  s.vertex_area.resize(s.vertices());
+  executor.ranges(s.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      double area = 0;
+      for (const Index f : s.vertex_faces[v]) area += 2 * s.face_area[f] / 6;
+      s.vertex_area[v] = area;
+    }
+  });
+}
+
+void measure(Surface &s, const Executor &executor) {
+  measure_faces(s, executor);
+  for (const double area : s.face_area) s.area += area;
+  // Summed in the order of the edges, a block of lengths at a time.
+  constexpr std::size_t block = 1 << 16;
+  Vec<double> length(std::min(block, s.edge.size()));
+  for (std::size_t first = 0; first < s.edge.size(); first += block) {
+    const std::size_t n = std::min(block, s.edge.size() - first);
+    executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) length[i] = s.edge_length(static_cast<Index>(first + i));
+    });
+    for (std::size_t i = 0; i < n; ++i) s.mean_edge += length[i];
   }
-  for (Index e = 0; e < s.edge.size(); ++e) s.mean_edge += s.edge_length(e);
   if (!s.edge.empty()) s.mean_edge /= static_cast<double>(s.edge.size());
   if (!s.position.empty()) {
     Vec3 low = s.position[0], high = low;
@@ -118,21 +152,32 @@ void trace_boundaries(Surface &s) {
 
 }  // namespace
 
-Surface make_surface(Vec<Vec3> position, Vec<Triangle> triangle) {
+Rows faces_around(std::size_t vertices, std::span<const Triangle> triangle) {
+  return rows_by(vertices, triangle.size(), [&](std::size_t f, const auto &add) {
+    for (const Index v : triangle[f]) add(v);
+  });
+}
+
+Surface make_surface(Vec<Vec3> position, Vec<Triangle> triangle, const Executor &executor, Rows vertex_faces) {
   Surface s;
   s.position = std::move(position);
   s.triangle = std::move(triangle);
-  link_edges(s);
-  s.vertex_faces = rows_by(s.vertices(), s.faces(), [&](std::size_t f, const auto &add) {
-    for (const Index v : s.triangle[f]) add(v);
+  s.vertex_faces = std::move(vertex_faces);
+  if (s.vertex_faces.start.empty()) s.vertex_faces = faces_around(s.vertices(), s.triangle);
+  link_edges(s, executor);
+  measure(s, executor);
+  // What is left goes from one element to the next and cannot be split, but each part for itself.
+  executor.each(3, [&](std::size_t part) {
+    if (part == 0)
+      s.vertex_edges = rows_by(s.vertices(), s.edge.size(), [&](std::size_t e, const auto &add) {
+        add(s.edge[e][0]);
+        add(s.edge[e][1]);
+      });
+    else if (part == 1)
+      find_components(s);
+    else
+      trace_boundaries(s);
   });
-  s.vertex_edges = rows_by(s.vertices(), s.edge.size(), [&](std::size_t e, const auto &add) {
-    add(s.edge[e][0]);
-    add(s.edge[e][1]);
-  });
-  measure(s);
-  find_components(s);
-  trace_boundaries(s);
   return s;
 }
 
