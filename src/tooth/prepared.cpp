@@ -64,6 +64,7 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   geometry::Concavity valleys = geometry::concavity(surface, options.normal_radius, features.inside_out, executor);
   p.seam = cut::seams(surface, valleys.vertex, valleys.edge);
   p.concavity = std::move(valleys.vertex);
+  p.cotangent = std::move(valleys.cotangent);
   p.lengthened = valleys.lengthened;
   p.widened = valleys.widened;
   for (const features::Group &g : features.groups) p.width.push_back(std::max(0.0, g.to - g.from));
@@ -71,12 +72,14 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   const Vec<double> weight = field::edge_weights(
       surface, p.concavity,
       {options.weights, options.beta, options.gamma, options.theta, options.c0, features.inside_out}, executor);
-  p.cotangent = geometry::cotangent_weights(surface, 0.01, executor);
+  valleys = {};
   p.click_cost.resize(surface.edge.size());
-  for (Index e = 0; e < surface.edge.size(); ++e) {
-    const double c = (p.concavity[surface.edge[e][0]] + p.concavity[surface.edge[e][1]]) / 2;
-    p.click_cost[e] = surface.edge_length(e) * (1 + options.click_concavity * kClickLength * c);
-  }
+  executor.ranges(surface.edge.size(), 1 << 13, [&](std::size_t begin, std::size_t end) {
+    for (Index e = static_cast<Index>(begin); e < end; ++e) {
+      const double c = (p.concavity[surface.edge[e][0]] + p.concavity[surface.edge[e][1]]) / 2;
+      p.click_cost[e] = surface.edge_length(e) * (1 + options.click_concavity * kClickLength * c);
+    }
+  });
   p.times.weights = watch.lap();
 
   const bool several =
