@@ -17,7 +17,7 @@ Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, con
                  const Progress &progress) {
   constexpr double spacing = 0.5;  // of the area samples, mm: a quarter of the default radius
   const geometry::Frame frame = geometry::principal_frame(surface);
-  const Vec<geometry::Sample> samples = geometry::area_samples(surface, spacing, frame);
+  const Vec<geometry::Sample> samples = geometry::area_samples(surface, spacing, frame, executor);
   if (samples.empty()) throw Error(Fault::no_teeth, "the surface has no area");
   progress(0.2);
   const geometry::SampleBins bins(samples, 1.0);
@@ -28,7 +28,7 @@ Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, con
   const Orientation looks = orientation(samples, cv, options.occlusal);
   const Plan plan(looks.occlusal, frame);
   const ArchCurve curve = arch_curve(samples, cv, looks.inside_out, plan);
-  const TopView view(surface, plan, looks.inside_out);
+  const TopView view(surface, plan, looks.inside_out, executor);
   progress(0.7);
   const Strip strip = make_strip(curve, view, plan, bins, looks.inside_out, options.radius, executor);
   progress(0.9);

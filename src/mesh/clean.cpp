@@ -74,52 +74,66 @@ void cut_polygons(const RawMesh &raw, std::span<const Index> kept, CleanFaces &c
   }
 }
 
-// same[t]: the first triangle with the corners of t, whichever way round. Empty: none has those of another.
-Vec<Index> find_duplicates(std::span<const Triangle> triangle, const Rows &around, const Executor &executor) {
-  struct Key {
-    Index middle, high, triangle;
-    bool operator<(const Key &o) const {
-      return middle != o.middle ? middle < o.middle : high != o.high ? high < o.high : triangle < o.triangle;
-    }
-    bool same_corners(const Key &o) const { return middle == o.middle && high == o.high; }
-  };
-  // visit(keys) for each vertex: the triangles of which it is the lowest corner, sorted.
-  const auto each_lowest = [&](const auto &visit) {
-    executor.ranges(around.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      Vec<Key> key;
-      for (std::size_t v = begin; v < end; ++v) {
-        key.clear();
-        for (const Index t : around[v]) {
-          const auto [a, b, c] = triangle[t];
-          if (a == v && b > v && c > v) key.push_back({std::min(b, c), std::max(b, c), t});
-          if (b == v && a > v && c > v) key.push_back({std::min(a, c), std::max(a, c), t});
-          if (c == v && a > v && b > v) key.push_back({std::min(a, b), std::max(a, b), t});
-        }
-        std::sort(key.begin(), key.end());
-        visit(std::span<const Key>(key), begin);
-      }
-    });
-  };
+struct Corners {
+  Index middle, high, triangle;
+  bool operator<(const Corners &o) const {
+    return middle != o.middle ? middle < o.middle : high != o.high ? high < o.high : triangle < o.triangle;
+  }
+  bool are(const Corners &o) const { return middle == o.middle && high == o.high; }
+};
+
+// The upper corners of the triangles of which v is the lowest.
+void gather(std::span<const Triangle> triangle, std::span<const Index> around, Index v, Vec<Corners> &corners) {
+  corners.resize(around.size());
+  std::size_t size = 0;
+  for (const Index t : around) {
+    const auto [a, b, c] = triangle[t];
+    const Index low = std::min({a, b, c}), high = std::max({a, b, c});
+    corners[size] = {a ^ b ^ c ^ low ^ high, high, t};
+    size += low == v;
+  }
+  corners.resize(size);
+}
+
+bool any_duplicate(std::span<const Triangle> triangle, const Rows &around, const Executor &executor) {
+  constexpr std::size_t few = 8;
   Vec<std::uint8_t> found((around.size() + kGrain - 1) / kGrain, 0);
-  each_lowest([&](std::span<const Key> key, std::size_t begin) {
-    for (std::size_t i = 1; i < key.size(); ++i) found[begin / kGrain] |= key[i].same_corners(key[i - 1]);
+  executor.ranges(around.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Vec<Corners> corners;
+    bool any = false;
+    for (std::size_t v = begin; v < end; ++v) {
+      gather(triangle, around[v], static_cast<Index>(v), corners);
+      if (corners.size() > few) std::sort(corners.begin(), corners.end());
+      for (std::size_t i = 1; i < corners.size(); ++i)
+        for (std::size_t j = corners.size() > few ? i - 1 : 0; j < i; ++j) any |= corners[i].are(corners[j]);
+    }
+    found[begin / kGrain] = any;
   });
-  if (std::find(found.begin(), found.end(), 1) == found.end()) return {};
+  return std::find(found.begin(), found.end(), 1) != found.end();
+}
+
+// same[t]: the first triangle with the corners of t, whichever way round.
+Vec<Index> find_duplicates(std::span<const Triangle> triangle, const Rows &around) {
   Vec<Index> same(triangle.size());
-  each_lowest([&](std::span<const Key> key, std::size_t) {
-    for (std::size_t i = 0; i < key.size(); ++i)
-      same[key[i].triangle] = i > 0 && key[i].same_corners(key[i - 1]) ? same[key[i - 1].triangle] : key[i].triangle;
-  });
+  Vec<Corners> corners;
+  for (std::size_t v = 0; v < around.size(); ++v) {
+    gather(triangle, around[v], static_cast<Index>(v), corners);
+    std::sort(corners.begin(), corners.end());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const bool again = i > 0 && corners[i].are(corners[i - 1]);
+      same[corners[i].triangle] = again ? same[corners[i - 1].triangle] : corners[i].triangle;
+    }
+  }
   return same;
 }
 
 void drop_duplicates(CleanFaces &clean, std::size_t vertices, const Executor &executor) {
   clean.around = faces_around(vertices, clean.triangle);
-  const Vec<Index> same = find_duplicates(clean.triangle, clean.around, executor);
-  if (same.empty()) {
+  if (!any_duplicate(clean.triangle, clean.around, executor)) {
     for (std::size_t t = clean.triangle.size(); t-- > 0;) clean.label[clean.source[t]] = static_cast<Index>(t);
     return;
   }
+  const Vec<Index> same = find_duplicates(clean.triangle, clean.around);
   Vec<Index> place(same.size());  // of a triangle, or of the one it duplicates, among those kept
   Index size = 0, last_counted = none;
   for (Index t = 0; t < same.size(); ++t) {

@@ -95,8 +95,7 @@ Model make_model(RawMesh raw, const IntakeOptions &options, const Executor &exec
   report.non_manifold_vertices = manifold.non_manifold_vertices;
   report.unorientable_edges = manifold.unorientable_edges;
   step(0.6);
-  model.surface =
-      make_surface(std::move(position), std::move(manifold.triangle), executor, std::move(manifold.vertex_faces));
+  model.surface = make_surface(std::move(position), std::move(manifold.triangle), executor, std::move(manifold.links));
   describe(model.surface, report);
   step(0.8);
   model.bvh = Bvh(model.surface, executor);

@@ -33,10 +33,11 @@ class Repair {
     if (shared_.empty() && !clash_) {  // most scans
       if (one_fan_each()) {
         out_.triangle = std::move(triangle_);
-        out_.vertex_faces = std::move(around_);
+        out_.links.vertex_faces = std::move(around_);
       } else {
         split();
       }
+      out_.links.twin = std::move(twin_);
       return std::move(out_);
     }
     Vec<std::uint8_t> flip = orient();

@@ -11,7 +11,7 @@ namespace ts::mesh {
 struct Manifold {
   Vec<Triangle> triangle;  // the same faces in the same order
   Vec<Index> copy_of;      // vertices appended to the given ones: what each is a copy of
-  Rows vertex_faces;       // those given, if they still hold; else empty
+  Links links;             // what is known of them: all of a mesh without any fault, else some or nothing
   Index flipped = 0, non_manifold_edges = 0, non_manifold_vertices = 0, unorientable_edges = 0;
 };
 

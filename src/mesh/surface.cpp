@@ -12,28 +12,72 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
 
-void link_edges(Surface &s, const Executor &executor) {
-  Vec<Index> first(s.vertices() + 1, 0);  // of the edges up from a vertex
-  const auto each_edge = [&](const auto &visit) {
-    executor.ranges(s.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
-      EdgesUp up;
-      for (Index v = static_cast<Index>(begin); v < end; ++v)
-        up(s.triangle, v, s.vertex_faces[v],
-           [&](Index high, std::span<const EdgesUp::Side> sides) { visit(v, high, sides); });
+// visit(v) for each vertex, with a workspace of the range's own.
+template <class Space>
+void each_vertex(const Surface &s, const Executor &executor, const auto &visit) {
+  executor.ranges(s.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Space space;
+    for (Index v = static_cast<Index>(begin); v < end; ++v) visit(space, v);
+  });
+}
+
+void find_twins(Surface &s, const Executor &executor) {
+  s.twin.assign(3 * s.faces(), none);
+  each_vertex<EdgesUp>(s, executor, [&](EdgesUp &up, Index v) {
+    up(s.triangle, v, s.vertex_faces[v], [&](Index, std::span<const EdgesUp::Side> sides) {
+      if (sides.size() != 2 || s.from(sides[0][1]) == s.from(sides[1][1])) return;
+      s.twin[sides[0][1]] = sides[1][1];
+      s.twin[sides[1][1]] = sides[0][1];
     });
+  });
+}
+
+// The edges of a surface whose half-edges without a twin are each on an edge of its own: no need to bring the two sides
+// of an edge together, so that one of them speaks for both.
+void number_joined_edges(Surface &s, const Executor &executor) {
+  // visit(half-edge, upper end) for the edges up from v.
+  const auto up_from = [&](Index v, const auto &visit) {
+    for (const Index f : s.vertex_faces[v]) {
+      const Triangle &t = s.triangle[f];
+      const Index k = t[0] == v ? 0 : t[1] == v ? 1 : 2, before = k == 0 ? 2 : k - 1;
+      const Index next = t[k == 2 ? 0 : k + 1], last = t[before], out = 3 * f + k, in = 3 * f + before;
+      if (next > v && out < s.twin[out]) visit(out, next);  // none is more than any
+      if (last > v && in < s.twin[in]) visit(in, last);
+    }
   };
-  each_edge([&](Index low, Index, std::span<const EdgesUp::Side>) { ++first[low + 1]; });
+  Vec<Index> first(s.vertices() + 1, 0);  // of the edges up from a vertex
+  each_vertex<int>(s, executor, [&](int, Index v) { up_from(v, [&](Index, Index) { ++first[v + 1]; }); });
   std::partial_sum(first.begin(), first.end(), first.begin());
   s.edge.resize(first.back());
   s.edge_of.resize(3 * s.faces());
-  s.twin.assign(3 * s.faces(), none);
-  each_edge([&](Index low, Index high, std::span<const EdgesUp::Side> sides) {
-    const Index e = first[low]++;
-    s.edge[e] = {low, high};
-    for (const auto &[end, h] : sides) s.edge_of[h] = e;
-    if (sides.size() != 2 || s.from(sides[0][1]) == s.from(sides[1][1])) return;
-    s.twin[sides[0][1]] = sides[1][1];
-    s.twin[sides[1][1]] = sides[0][1];
+  each_vertex<Vec<EdgesUp::Side>>(s, executor, [&](Vec<EdgesUp::Side> &up, Index v) {
+    up.clear();
+    up_from(v, [&](Index h, Index high) { up.push_back({high, h}); });
+    std::sort(up.begin(), up.end(), [](const auto &a, const auto &b) { return a[0] < b[0]; });
+    for (Index i = 0, e = first[v]; i < up.size(); ++i, ++e) {
+      const auto &[high, h] = up[i];
+      s.edge[e] = {v, high};
+      s.edge_of[h] = e;
+      if (s.twin[h] != none) s.edge_of[s.twin[h]] = e;
+    }
+  });
+}
+
+void number_edges(Surface &s, const Executor &executor) {
+  Vec<Index> first(s.vertices() + 1, 0);
+  each_vertex<EdgesUp>(s, executor, [&](EdgesUp &up, Index v) {
+    up(s.triangle, v, s.vertex_faces[v], [&](Index, std::span<const EdgesUp::Side>) { ++first[v + 1]; });
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  s.edge.resize(first.back());
+  s.edge_of.resize(3 * s.faces());
+  each_vertex<EdgesUp>(s, executor, [&](EdgesUp &up, Index v) {
+    Index e = first[v];
+    up(s.triangle, v, s.vertex_faces[v], [&](Index high, std::span<const EdgesUp::Side> sides) {
+      s.edge[e] = {v, high};
+      for (const auto &[end, h] : sides) s.edge_of[h] = e;
+      ++e;
+    });
   });
 }
 
@@ -158,13 +202,19 @@ Rows faces_around(std::size_t vertices, std::span<const Triangle> triangle) {
   });
 }
 
-Surface make_surface(Vec<Vec3> position, Vec<Triangle> triangle, const Executor &executor, Rows vertex_faces) {
+Surface make_surface(Vec<Vec3> position, Vec<Triangle> triangle, const Executor &executor, Links links) {
   Surface s;
   s.position = std::move(position);
   s.triangle = std::move(triangle);
-  s.vertex_faces = std::move(vertex_faces);
+  s.vertex_faces = std::move(links.vertex_faces);
+  s.twin = std::move(links.twin);
   if (s.vertex_faces.start.empty()) s.vertex_faces = faces_around(s.vertices(), s.triangle);
-  link_edges(s, executor);
+  if (s.twin.empty()) {
+    find_twins(s, executor);
+    number_edges(s, executor);
+  } else {
+    number_joined_edges(s, executor);
+  }
   measure(s, executor);
   // What is left goes from one element to the next and cannot be split, but each part for itself.
   executor.each(3, [&](std::size_t part) {

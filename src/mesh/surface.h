@@ -75,9 +75,15 @@ struct Surface {
 // A vertex: its faces, ascending.
 Rows faces_around(std::size_t vertices, std::span<const Triangle> triangle);
 
-// Fills everything from positions and triangles; `vertex_faces`, if known already, saves finding it. An edge with more
-// than two faces, or with two in the same direction, is left without twins (as if cut open).
+// What intake may know of the triangles already; empty where it does not.
+struct Links {
+  Rows vertex_faces;
+  Vec<Index> twin;  // if given, no edge has more than two faces, or two in the same direction
+};
+
+// Fills everything from positions and triangles. An edge with more than two faces, or with two in the same direction,
+// is left without twins (as if cut open).
 Surface make_surface(Vec<Vec3> position, Vec<Triangle> triangle, const Executor &executor = Executor(1),
-                     Rows vertex_faces = {});
+                     Links links = {});
 
 }  // namespace ts::mesh
