@@ -5,7 +5,9 @@
 #include <new>
 #include <utility>
 
-#ifdef __linux__
+// Pages of our own would hide from AddressSanitizer what goes beyond them.
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+#define TS_OWN_PAGES
 #include <sys/mman.h>
 #endif
 
@@ -28,7 +30,7 @@ static_assert(sizeof(Header) <= line);
 // takes hundreds of megabytes and is walked along the mesh, and on small pages a third of the time goes into faults and
 // misses of the TLB. nullptr: not to be had here.
 void *map_block(std::size_t &bytes) {
-#ifdef __linux__
+#ifdef TS_OWN_PAGES
   constexpr std::size_t huge = std::size_t{2} << 20, small = std::size_t{64} << 10;
   // The rest of the last huge page is left out if it is the larger part of it.
   bytes = (bytes + small - 1) / small * small;
@@ -48,7 +50,7 @@ void *map_block(std::size_t &bytes) {
 }
 
 void unmap_block(void *block, std::size_t bytes) noexcept {
-#ifdef __linux__
+#ifdef TS_OWN_PAGES
   munmap(block, bytes);
 #else
   static_cast<void>(block), static_cast<void>(bytes);
