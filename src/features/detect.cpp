@@ -17,7 +17,7 @@ Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, con
                  const Progress &progress) {
   constexpr double spacing = 0.5;  // of the area samples, mm: a quarter of the default radius
   const geometry::Frame frame = geometry::principal_frame(surface);
-  const Vec<geometry::Sample> samples = geometry::area_samples(surface, spacing, frame, executor);
+  const Vec<geometry::Sample> samples = geometry::area_samples(surface, spacing, frame);
   if (samples.empty()) throw Error(Fault::no_teeth, "the surface has no area");
   progress(0.2);
   const geometry::SampleBins bins(samples, 1.0);

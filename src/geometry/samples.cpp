@@ -1,7 +1,6 @@
 #include "geometry/samples.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -13,7 +12,7 @@ constexpr int cell_bits = 21;  // a coordinate in the key of a cube
 // Cubes by key: open addressing, so that a mesh of millions of triangles costs one probe or two a triangle.
 class CubeMap {
  public:
-  CubeMap() : slot_(std::size_t{1} << 12, Slot{0, mesh::none}) {}
+  CubeMap() : slot_(std::size_t{1} << 14, Slot{0, mesh::none}) {}
 
   Sample &at(std::uint64_t key) {
     if (2 * sample_.size() >= slot_.size()) grow();
@@ -27,9 +26,18 @@ class CubeMap {
     return sample_[slot_[i].index];
   }
 
-  // Calls visit(key, sums) for each cube.
-  void each(const auto &visit) const {
-    for (std::size_t i = 0; i < key_.size(); ++i) visit(key_[i], sample_[i]);
+  // The sums as means, sorted by cube.
+  Vec<Sample> means() const {
+    Vec<mesh::Index> order(sample_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<mesh::Index>(i);
+    std::sort(order.begin(), order.end(), [&](mesh::Index a, mesh::Index b) { return key_[a] < key_[b]; });
+    Vec<Sample> result;
+    result.reserve(order.size());
+    for (const mesh::Index i : order) {
+      const Sample &s = sample_[i];
+      if (s.area > 0) result.push_back({s.position / s.area, s.normal / s.area, s.area});
+    }
+    return result;
   }
 
  private:
@@ -57,13 +65,6 @@ class CubeMap {
   Vec<Sample> sample_;
   Vec<std::uint64_t> key_;
 };
-
-constexpr std::size_t kMaps = 16;
-
-// Cubes next to each other are in different maps, so that all have their share of any part of the surface.
-mesh::Index map_of(std::uint64_t key) {
-  return static_cast<mesh::Index>((key ^ key >> cell_bits ^ key >> 2 * cell_bits) % kMaps);
-}
 
 struct Corners {
   Vec3 p[3];
@@ -94,83 +95,31 @@ void split(const Corners &whole, double limit, Vec<std::pair<Corners, double>> &
   }
 }
 
-// The pieces of a range of faces, in the order of the faces, shared out among the maps.
-struct Pieces {
-  struct Piece {
-    std::uint64_t key;
-    mesh::Index face, map;
-    double area;
-    Vec3 centre;
-  };
-  Vec<Piece> piece;
-  Vec<mesh::Index> order;  // of the pieces, map by map
-  std::array<std::size_t, kMaps + 1> first{};
-
-  void share_out() {
-    first.fill(0);
-    for (const Piece &p : piece) ++first[p.map + 1];
-    for (std::size_t m = 0; m < kMaps; ++m) first[m + 1] += first[m];
-    std::array<std::size_t, kMaps + 1> at = first;
-    order.resize(piece.size());
-    for (std::size_t i = 0; i < piece.size(); ++i) order[at[piece[i].map]++] = static_cast<mesh::Index>(i);
-  }
-};
-
-// The sums as means, sorted by cube.
-Vec<Sample> means(std::span<const CubeMap> maps) {
-  Vec<std::pair<std::uint64_t, const Sample *>> cube;
-  for (const CubeMap &m : maps) m.each([&](std::uint64_t key, const Sample &s) { cube.push_back({key, &s}); });
-  std::sort(cube.begin(), cube.end());
-  Vec<Sample> result;
-  result.reserve(cube.size());
-  for (const auto &[key, s] : cube)
-    if (s->area > 0) result.push_back({s->position / s->area, s->normal / s->area, s->area});
-  return result;
-}
-
 }  // namespace
 
-Vec<Sample> area_samples(const mesh::Surface &surface, double spacing, const Frame &frame, const Executor &executor) {
+Vec<Sample> area_samples(const mesh::Surface &surface, double spacing, const Frame &frame) {
+  CubeMap cubes;
   constexpr double most = (1 << cell_bits) - 1;
   // Half a cube aside, so that a flat surface lies within a layer of cubes, not between two.
   constexpr double middle = (1 << (cell_bits - 1)) + 0.5;
-  // A block of faces at a time: its pieces are cut range by range, then summed map by map, in the order of the faces.
-  constexpr std::size_t grain = 1 << 11, block = 1 << 16;
-  Vec<CubeMap> maps(kMaps);
-  Vec<Pieces> ranges(block / grain);
-  for (std::size_t from = 0; from < surface.faces(); from += block) {
-    const std::size_t faces = std::min(block, surface.faces() - from);
-    executor.ranges(faces, grain, [&](std::size_t begin, std::size_t end) {
-      Pieces &here = ranges[begin / grain];
-      here.piece.clear();
-      Vec<std::pair<Corners, double>> stack;
-      for (std::size_t f = from + begin; f < from + end; ++f) {
-        const auto [i, j, k] = surface.triangle[f];
-        const double area = surface.face_area[f];
-        if (!(area > 0)) continue;
-        const Corners corners{{surface.position[i], surface.position[j], surface.position[k]}};
-        split(corners, spacing, stack, [&](const Vec3 &p, double share) {
-          const Vec3 q = frame.of(p) / spacing;
-          std::uint64_t key = 0;
-          for (int c = 0; c < 3; ++c)
-            key = key << cell_bits | static_cast<std::uint64_t>(std::clamp(q[c] + middle, 0.0, most));
-          here.piece.push_back({key, static_cast<mesh::Index>(f), map_of(key), area * share, p});
-        });
-      }
-      here.share_out();
-    });
-    executor.each(kMaps, [&](std::size_t m) {
-      for (std::size_t r = 0; r * grain < faces; ++r)
-        for (std::size_t i = ranges[r].first[m]; i < ranges[r].first[m + 1]; ++i) {
-          const Pieces::Piece &p = ranges[r].piece[ranges[r].order[i]];
-          Sample &s = maps[m].at(p.key);
-          s.position += p.area * p.centre;
-          s.normal += p.area * surface.face_normal[p.face];
-          s.area += p.area;
-        }
+  Vec<std::pair<Corners, double>> stack;
+  for (std::size_t f = 0; f < surface.faces(); ++f) {
+    const auto [i, j, k] = surface.triangle[f];
+    const double area = surface.face_area[f];
+    if (!(area > 0)) continue;
+    const Corners corners{{surface.position[i], surface.position[j], surface.position[k]}};
+    split(corners, spacing, stack, [&](const Vec3 &p, double share) {
+      const Vec3 q = frame.of(p) / spacing;
+      std::uint64_t key = 0;
+      for (int c = 0; c < 3; ++c)
+        key = key << cell_bits | static_cast<std::uint64_t>(std::clamp(q[c] + middle, 0.0, most));
+      Sample &s = cubes.at(key);
+      s.position += area * share * p;
+      s.normal += area * share * surface.face_normal[f];
+      s.area += area * share;
     });
   }
-  return means(maps);
+  return cubes.means();
 }
 
 SampleBins::SampleBins(std::span<const Sample> samples, double bin) : bin_(bin) {

@@ -3,7 +3,6 @@
 
 #include <span>
 
-#include "base/executor.h"
 #include "geometry/frame.h"
 
 namespace ts::geometry {
@@ -17,8 +16,7 @@ struct Sample {
 // One sample a cube of edge `spacing` that the surface passes through, in the order of the cubes. Triangles are halved
 // at their longest edge until none is longer than the spacing, so that a huge base triangle counts like a fine mesh.
 // The cubes stand along the axes of `frame`: the surface's own give a moved surface the moved samples.
-Vec<Sample> area_samples(const mesh::Surface &surface, double spacing, const Frame &frame,
-                         const Executor &executor = Executor(1));
+Vec<Sample> area_samples(const mesh::Surface &surface, double spacing, const Frame &frame);
 inline Vec<Sample> area_samples(const mesh::Surface &surface, double spacing) {
   return area_samples(surface, spacing, principal_frame(surface));
 }
