@@ -147,7 +147,7 @@ typedef void (*ts_log_fn)(ts_log_level level, const char *text, void *user);
 typedef struct ts_context_options {
   uint32_t struct_size; /**< set by ts_context_options_init */
   uint32_t threads;     /**< worker threads: 0 = one a core, 1 = only the calling thread, at most 1024. Default 0 */
-  ts_alloc_fn alloc;    /**< NULL = the C library's; give both or none */
+  ts_alloc_fn alloc;    /**< NULL = the system's; give both or none */
   ts_free_fn free;
   void *alloc_user;
   ts_log_fn log; /**< NULL = silent */

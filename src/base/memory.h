@@ -10,7 +10,7 @@
 namespace ts {
 
 struct AllocatorHooks {
-  void *(*alloc)(std::size_t bytes, void *user) = nullptr;  // nullptr: the C library's
+  void *(*alloc)(std::size_t bytes, void *user) = nullptr;  // nullptr: the system's
   void (*free)(void *memory, void *user) = nullptr;
   void *user = nullptr;
 };

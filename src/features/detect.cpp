@@ -30,7 +30,7 @@ Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, con
   const Plan plan(up.occlusal, frame);
   const ArchCurve curve = arch_curve(samples, cv, up.inside_out, plan);
   const Looks looks = looks_of(samples, cv, up, curve, plan);
-  const TopView view(surface, plan, up.inside_out);
+  const TopView view(surface, plan, up.inside_out, executor);
   progress(0.7);
   const Strip strip = make_strip(curve, view, plan, bins, up.inside_out, options.radius, executor);
   progress(0.9);

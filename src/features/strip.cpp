@@ -34,12 +34,15 @@ Vec<std::uint8_t> off_rims(const Strip &strip) {
 
 }  // namespace
 
-TopView::TopView(const mesh::Surface &surface, const Plan &plan, bool inside_out) {
+TopView::TopView(const mesh::Surface &surface, const Plan &plan, bool inside_out, const Executor &executor) {
   constexpr double most_pixels = 2000;  // a side
+  constexpr std::size_t grain = 1 << 13;
   Vec<Vec3> p(surface.vertices());
+  executor.ranges(p.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) p[i] = plan.of(surface.position[i]);
+  });
   Vec2 high = Vec2::Zero();
   for (std::size_t i = 0; i < p.size(); ++i) {
-    p[i] = plan.of(surface.position[i]);
     low_ = i ? Vec2(low_.cwiseMin(p[i].head<2>())) : Vec2(p[i].head<2>());
     high = i ? Vec2(high.cwiseMax(p[i].head<2>())) : Vec2(p[i].head<2>());
   }
@@ -48,23 +51,44 @@ TopView::TopView(const mesh::Surface &surface, const Plan &plan, bool inside_out
   rows_ = static_cast<int>((high.y() - low_.y()) / pixel_) + 1;
   height_.assign(static_cast<std::size_t>(width_) * rows_, nothing);
   face_.assign(height_.size(), mesh::none);
+  // Bands of rows are drawn each for itself, from the faces that touch them, in their order.
+  constexpr int bands = 16;
+  const int band = (rows_ + bands - 1) / bands;
   const double side = inside_out ? -1 : 1;
-  for (std::size_t f = 0; f < surface.faces(); ++f) {
-    if (side * surface.face_normal[f].dot(plan.d) <= 0) continue;
-    const auto [a, b, c] = surface.triangle[f];
-    draw({p[a], p[b], p[c]}, static_cast<Index>(f));
-  }
+  const std::size_t ranges = (surface.faces() + grain - 1) / grain;
+  Vec<std::array<Vec<Index>, bands>> touches(ranges);
+  executor.ranges(surface.faces(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      if (side * surface.face_normal[f].dot(plan.d) <= 0) continue;
+      const auto [a, b, c] = surface.triangle[f];
+      const auto [top, bottom] = pixel_range({p[a], p[b], p[c]}, 1, rows_);
+      if (top > bottom) continue;
+      for (int k = top / band; k <= bottom / band; ++k) touches[begin / grain][k].push_back(static_cast<Index>(f));
+    }
+  });
+  executor.each(bands, [&](std::size_t k) {
+    const int top = static_cast<int>(k) * band, bottom = std::min(rows_, top + band) - 1;
+    for (const auto &range : touches)
+      for (const Index f : range[k]) {
+        const auto [a, b, c] = surface.triangle[f];
+        draw({p[a], p[b], p[c]}, f, top, bottom);
+      }
+  });
 }
 
-void TopView::draw(const std::array<Vec3, 3> &corner, Index face) {
-  const auto pixel_range = [&](int k, int count) {
-    const double a = std::min({corner[0][k], corner[1][k], corner[2][k]}),
-                 b = std::max({corner[0][k], corner[1][k], corner[2][k]});
-    return std::pair(std::max(0, static_cast<int>(std::ceil((a - low_[k]) / pixel_ - 0.5))),
-                     std::min(count - 1, static_cast<int>(std::floor((b - low_[k]) / pixel_ - 0.5))));
-  };
-  const auto [x0, x1] = pixel_range(0, width_);
-  const auto [y0, y1] = pixel_range(1, rows_);
+// The pixels whose middles the bounds of a triangle enclose.
+std::pair<int, int> TopView::pixel_range(const Corners &corner, int axis, int count) const {
+  const double a = std::min({corner[0][axis], corner[1][axis], corner[2][axis]}),
+               b = std::max({corner[0][axis], corner[1][axis], corner[2][axis]});
+  return {std::max(0, static_cast<int>(std::ceil((a - low_[axis]) / pixel_ - 0.5))),
+          std::min(count - 1, static_cast<int>(std::floor((b - low_[axis]) / pixel_ - 0.5)))};
+}
+
+// What of a triangle lies in the rows from top to bottom.
+void TopView::draw(const Corners &corner, Index face, int top, int bottom) {
+  const auto [x0, x1] = pixel_range(corner, 0, width_);
+  auto [y0, y1] = pixel_range(corner, 1, rows_);
+  y0 = std::max(y0, top), y1 = std::min(y1, bottom);
   if (x0 > x1 || y0 > y1) return;
   const Vec2 e1 = (corner[1] - corner[0]).head<2>(), e2 = (corner[2] - corner[0]).head<2>();
   const double twice = e1.x() * e2.y() - e1.y() * e2.x();

@@ -12,14 +12,16 @@ using mesh::Index;
 // What is seen from above: height and face for each pixel of a plan view.
 class TopView {
  public:
-  TopView(const mesh::Surface &surface, const Plan &plan, bool inside_out);
+  TopView(const mesh::Surface &surface, const Plan &plan, bool inside_out, const Executor &executor);
 
   // NaN where nothing is seen.
   double height(const Vec2 &p) const;
   Index face(const Vec2 &p) const;
 
  private:
-  void draw(const std::array<Vec3, 3> &corner, Index face);
+  using Corners = std::array<Vec3, 3>;
+  std::pair<int, int> pixel_range(const Corners &corner, int axis, int count) const;
+  void draw(const Corners &corner, Index face, int top, int bottom);
 
   double pixel_ = 0.25;  // mm
   int width_ = 0, rows_ = 0;

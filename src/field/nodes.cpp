@@ -1,6 +1,8 @@
 #include "field/nodes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "geometry/paths.h"
@@ -27,8 +29,21 @@ double area_beyond(const mesh::Surface &surface, const Vec<double> &distance, do
   return area;
 }
 
+// Paths end a little beyond `limit`: which vertices are further away is all that is asked. Those get the largest
+// number, those that no path leads to infinity.
+Vec<double> distances_up_to(const mesh::Surface &surface, const Sites &sites, double limit) {
+  Vec<double> distance = geometry::edge_distances(surface, starts_at(sites), limit * (1 + 1e-9));
+  Vec<std::uint8_t> reached(surface.components, 0);
+  for (const Index v : sites.point)
+    if (surface.vertex_component[v] != mesh::none) reached[surface.vertex_component[v]] = 1;
+  for (Index v = 0; v < surface.vertices(); ++v)
+    if (const Index c = surface.vertex_component[v]; !std::isfinite(distance[v]) && c != mesh::none && reached[c])
+      distance[v] = std::numeric_limits<double>::max();
+  return distance;
+}
+
 Vec<std::uint8_t> certain_gingiva(const mesh::Surface &surface, const Sites &sites, double limit, double lengthened) {
-  Vec<double> distance = geometry::edge_distances(surface, starts_at(sites));
+  Vec<double> distance = distances_up_to(surface, sites, std::max(limit, kRimClearance) * lengthened);
   for (double &d : distance) d /= lengthened;
   if (area_beyond(surface, distance, limit) < kLeastShare * surface.area) limit *= kCloser;
   Vec<std::uint8_t> gingiva(surface.vertices(), 0);

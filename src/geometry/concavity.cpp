@@ -10,16 +10,17 @@ constexpr std::size_t kGrain = 4096;
 // Slivers would tie their ends together and cost most of the iterations.
 constexpr double kLeastCotangent = 0.01, kMostCotangent = 5;
 
-// How far the faces beside half-edge h bend towards each other (radians; negative: away) over the distance of their
-// middles across the edge, a third of the sum of their heights.
-double bend(const Surface &s, const Vec<Vec3> &position, const Vec<Vec3> &normal, Index h) {
+// How far the faces beside half-edge h bend towards each other (radians) over the distance of their middles across the
+// edge, a third of the sum of their heights; 0 if they bend away. `side` -1: the other way round.
+double bend(const Surface &s, const Vec<Vec3> &position, const Vec<Vec3> &normal, Index h, double side) {
   const Index f = mesh::face_of(h), g = mesh::face_of(s.twin[h]);
   const Vec3 along = position[s.to(h)] - position[s.from(h)];
   const double length = along.norm();
   const double across = (normal[f].norm() + normal[g].norm()) / (3 * length);
   if (!(length > 0) || !(across > 0)) return 0;
-  const double angle = std::atan2(normal[g].cross(normal[f]).dot(along) / length, normal[f].dot(normal[g]));
-  return angle / across;
+  const double sine = normal[g].cross(normal[f]).dot(along) / length;
+  if (side * sine < 0) return 0;  // half of all edges: no need of the angle
+  return std::max(0.0, side * (std::atan2(sine, normal[f].dot(normal[g])) / across));
 }
 
 Vec<double> edge_concavity(const Surface &surface, const Vec<Vec3> &position, bool inside_out,
@@ -34,12 +35,18 @@ Vec<double> edge_concavity(const Surface &surface, const Vec<Vec3> &position, bo
   Vec<double> edge(surface.edge.size(), 0);
   executor.ranges(surface.twin.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h)
-      if (surface.twin[h] != mesh::none && h < surface.twin[h]) {
-        const double b = bend(surface, position, normal, static_cast<Index>(h));
-        edge[surface.edge_of[h]] = std::max(0.0, inside_out ? -b : b);
-      }
+      if (surface.twin[h] != mesh::none && h < surface.twin[h])
+        edge[surface.edge_of[h]] = bend(surface, position, normal, static_cast<Index>(h), inside_out ? -1 : 1);
   });
   return edge;
+}
+
+Vec<double> valley_curvature(const Surface &surface, const Vec<Vec3> &position, const Vec<Vec3> &normal,
+                             bool inside_out, const Executor &executor) {
+  Principal k = principal_curvatures(surface, position, normal, executor);
+  Vec<double> valley = std::move(inside_out ? k.greatest : k.least);
+  for (double &x : valley) x = std::max(0.0, inside_out ? x : -x);
+  return valley;
 }
 
 // What smoothing takes off the sum of the edge lengths and off the area is what noise had added.
@@ -86,22 +93,21 @@ double presmoothing(double gauge) {
 }
 
 Concavity concavity(const Surface &surface, double normal_radius, bool inside_out, const Executor &executor) {
-  Vec<double> weight = cotangent_weights(surface, kLeastCotangent, executor);
-  for (double &w : weight) w = std::min(w, kMostCotangent);
-  const Graph cotangent = make_graph(surface, weight);
+  Concavity c;
+  c.cotangent = cotangent_weights(surface, kLeastCotangent, executor);
+  Graph graph = make_graph(surface, c.cotangent, executor, kMostCotangent);
   Vec<Vec3> normal = vertex_normals(surface, NormalWeight::angle, executor);
   const double pre = presmoothing(noise_gauge(surface, normal, executor));
   Vec<Vec3> smoothed;
   if (pre > 0) {
-    smoothed = smooth(surface, cotangent, pre, surface.position, executor);
+    smoothed = smooth(surface, graph, pre, surface.position, executor);
     normal = vertex_normals(surface, smoothed, NormalWeight::angle, executor);
   }
   const Vec<Vec3> &position = pre > 0 ? smoothed : surface.position;
-  normal = smoothed_normals(surface, normal, cotangent, normal_radius, executor);
-  Principal k = principal_curvatures(surface, position, normal, executor);
-  Concavity c;
-  c.vertex = std::move(inside_out ? k.greatest : k.least);
-  for (double &x : c.vertex) x = std::max(0.0, inside_out ? x : -x);
+  normal = smoothed_normals(surface, normal, graph, normal_radius, executor);
+  graph = {};
+  c.vertex = valley_curvature(surface, position, normal, inside_out, executor);
+  normal = {};
   if (pre > 0) compare(surface, smoothed, c);
   c.edge = edge_concavity(surface, position, inside_out, executor);
   return c;

@@ -16,6 +16,7 @@ double presmoothing(double gauge);
 struct Concavity {
   Vec<double> vertex;  // max(0, -kappa_min) of normals smoothed over `normal_radius`
   Vec<double> edge;  // how far the two faces turn towards each other over the distance of their middles; 0 on a border
+  Vec<double> cotangent;  // cotangent_weights of the edges, at least 0.01
   // By what noise makes paths longer and areas larger; 1 on clean scans. Noise of half a mean edge: 1.5 and 2.
   double lengthened = 1, widened = 1;
 };

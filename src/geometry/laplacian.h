@@ -1,6 +1,8 @@
 // Symmetric edge weights as rows a vertex, and what is done with them: products and screened smoothing.
 #pragma once
 
+#include <limits>
+
 #include "base/executor.h"
 #include "mesh/surface.h"
 
@@ -19,7 +21,9 @@ struct Graph {
   std::size_t size() const { return start.empty() ? 0 : start.size() - 1; }
 };
 
-Graph make_graph(const Surface &surface, const Vec<double> &edge_weight);
+// Weights above `most` are taken for that.
+Graph make_graph(const Surface &surface, const Vec<double> &edge_weight, const Executor &executor = Executor(1),
+                 double most = std::numeric_limits<double>::infinity());
 
 // (cot a + cot b) / 2 an edge, at least `least`: a clamped one keeps the maximum principle on bad triangles.
 Vec<double> cotangent_weights(const Surface &surface, double least, const Executor &executor);

@@ -50,7 +50,9 @@ Vec<Vec3> smoothed_normals(const Surface &surface, const Vec<Vec3> &normal, cons
                            const Executor &executor) {
   if (radius <= 0) return normal;
   Vec<Vec3> smoothed = smooth(surface, cotangent, radius, normal, executor);
-  for (Vec3 &n : smoothed) n = unit(n);
+  executor.ranges(smoothed.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) smoothed[v] = unit(smoothed[v]);
+  });
   return smoothed;
 }
 

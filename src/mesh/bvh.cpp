@@ -54,32 +54,72 @@ Vec3 nearest_weights(const Vec3 &p, const Vec3 &a, const Vec3 &b, const Vec3 &c)
 
 }  // namespace
 
-Bvh::Bvh(const Surface &surface) {
+// A branch of the upper tree, or one of the trees below it.
+struct Bvh::Part {
+  std::span<Item> items;
+  std::size_t left = 0;  // items of the left child of a branch
+  Box box;
+  std::size_t child = 0;  // the left one's place among the parts, the right one follows; 0: a tree of its own
+  Vec<Node> node;         // of a tree of its own
+};
+
+Bvh::Bvh(const Surface &surface, const Executor &executor) {
+  if (surface.faces() == 0) return;
   Vec<Item> items(surface.faces());
-  for (Index f = 0; f < items.size(); ++f) {
-    const auto [a, b, c] = surface.triangle[f];
-    const Vec3 low = surface.position[a].cwiseMin(surface.position[b]).cwiseMin(surface.position[c]);
-    const Vec3 high = surface.position[a].cwiseMax(surface.position[b]).cwiseMax(surface.position[c]);
-    items[f] = {{low.unaryExpr(&down), high.unaryExpr(&up)}, f};
+  executor.ranges(items.size(), 1 << 13, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto [a, b, c] = surface.triangle[f];
+      const Vec3 low = surface.position[a].cwiseMin(surface.position[b]).cwiseMin(surface.position[c]);
+      const Vec3 high = surface.position[a].cwiseMax(surface.position[b]).cwiseMax(surface.position[c]);
+      items[f] = {{low.unaryExpr(&down), high.unaryExpr(&up)}, static_cast<Index>(f)};
+    }
+  });
+  // Level by level until there are trees enough to share out, then each by itself.
+  constexpr std::size_t tree_size = 1 << 12, most_levels = 8;
+  Vec<Part> parts(1);
+  parts[0].items = items;
+  for (std::size_t level = 0, begin = 0; level < most_levels && begin < parts.size(); ++level) {
+    const std::size_t end = parts.size();
+    executor.each(end - begin, [&](std::size_t i) {
+      Part &p = parts[begin + i];
+      if (p.items.size() > tree_size) p.left = divide(p.items, p.box);
+    });
+    for (std::size_t i = begin; i < end; ++i) {
+      if (parts[i].left == 0) continue;
+      const std::span<Item> all = parts[i].items;
+      const std::size_t left = parts[i].left;
+      parts[i].child = parts.size();
+      parts.emplace_back().items = all.first(left);
+      parts.emplace_back().items = all.subspan(left);
+    }
+    begin = end;
   }
-  node_.reserve(items.size());
-  face_.reserve(items.size());
-  if (!items.empty()) build(items, 0);
+  executor.each(parts.size(), [&](std::size_t i) {
+    if (parts[i].child == 0) build(parts[i].items, 0, parts[i].node);
+  });
+  std::size_t nodes = 0;
+  for (const Part &p : parts) nodes += p.child ? 1 : p.node.size();
+  node_.reserve(nodes);
+  join(parts, 0, 0);
+  face_.resize(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i) face_[i] = items[i].face;
 }
 
-Bvh::Box Bvh::around(std::span<const Item> items) {
-  Box box = items[0].box;
-  for (const Item &i : items) box.low = box.low.cwiseMin(i.box.low), box.high = box.high.cwiseMax(i.box.high);
-  return box;
+// The box of the items, and the bounds of twice their centres.
+void Bvh::enclose(std::span<const Item> items, Box &box, Vec3f &low, Vec3f &high) {
+  box = items[0].box;
+  low = high = box.low + box.high;
+  for (const Item &i : items) {
+    const Vec3f twice = i.box.low + i.box.high;
+    box.low = box.low.cwiseMin(i.box.low), box.high = box.high.cwiseMax(i.box.high);
+    low = low.cwiseMin(twice), high = high.cwiseMax(twice);
+  }
 }
 
 // Puts the items left of the middle of their centres first, and returns how many; half of them if that is lopsided.
-std::size_t Bvh::divide(std::span<Item> items) {
-  Vec3f low = items[0].box.low + items[0].box.high, high = low;
-  for (const Item &i : items) {
-    const Vec3f twice = i.box.low + i.box.high;
-    low = low.cwiseMin(twice), high = high.cwiseMax(twice);
-  }
+std::size_t Bvh::divide(std::span<Item> items, Box &box) {
+  Vec3f low, high;
+  enclose(items, box, low, high);
   Eigen::Index axis = 0;
   (high - low).maxCoeff(&axis);
   const float middle = (low[axis] + high[axis]) / 2;
@@ -94,18 +134,38 @@ std::size_t Bvh::divide(std::span<Item> items) {
   return half;
 }
 
-void Bvh::build(std::span<Item> items, std::size_t first) {
-  const std::size_t here = node_.size();
-  node_.push_back({around(items), static_cast<Index>(first), 0});
+void Bvh::build(std::span<Item> items, std::size_t first, Vec<Node> &node) {
+  const std::size_t here = node.size();
+  Node &n = node.emplace_back();
   if (items.size() <= leaf_size) {
-    node_[here].count = static_cast<Index>(items.size());
-    for (const Item &i : items) face_.push_back(i.face);
+    Vec3f low, high;
+    enclose(items, n.box, low, high);
+    n.first = static_cast<Index>(first);
+    n.count = static_cast<Index>(items.size());
     return;
   }
-  const std::size_t left = divide(items);
-  build(items.first(left), first);
+  n.count = 0;
+  const std::size_t left = divide(items, n.box);
+  build(items.first(left), first, node);
+  node[here].first = static_cast<Index>(node.size());
+  build(items.subspan(left), first + left, node);
+}
+
+// Appends a part and all below it; its items begin at `first`.
+void Bvh::join(std::span<const Part> parts, std::size_t part, std::size_t first) {
+  const Part &p = parts[part];
+  const std::size_t here = node_.size();
+  if (p.child == 0) {
+    for (Node n : p.node) {
+      n.first += static_cast<Index>(n.count ? first : here);
+      node_.push_back(n);
+    }
+    return;
+  }
+  node_.push_back({p.box, 0, 0});
+  join(parts, p.child, first);
   node_[here].first = static_cast<Index>(node_.size());
-  build(items.subspan(left), first + left);
+  join(parts, p.child + 1, first + p.left);
 }
 
 SurfacePoint Bvh::nearest(const Surface &surface, const Vec3 &p) const {

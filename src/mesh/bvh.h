@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "base/executor.h"
 #include "mesh/surface_point.h"
 
 namespace ts::mesh {
@@ -11,7 +12,7 @@ namespace ts::mesh {
 class Bvh {
  public:
   Bvh() = default;
-  explicit Bvh(const Surface &surface);
+  explicit Bvh(const Surface &surface, const Executor &executor = Executor(1));
 
   // The nearest point of the surface; of equally near faces the lowest. Face none if there is no face or p is not
   // finite.
@@ -37,9 +38,12 @@ class Bvh {
   };
   struct Ray;
 
-  static Box around(std::span<const Item> items);
-  static std::size_t divide(std::span<Item> items);
-  void build(std::span<Item> items, std::size_t first);
+  struct Part;
+
+  static void enclose(std::span<const Item> items, Box &box, Vec3f &low, Vec3f &high);
+  static std::size_t divide(std::span<Item> items, Box &box);
+  static void build(std::span<Item> items, std::size_t first, Vec<Node> &node);
+  void join(std::span<const Part> parts, std::size_t part, std::size_t first);
 
   Vec<Node> node_;
   Vec<Index> face_;

@@ -10,6 +10,7 @@
 namespace ts::mesh {
 namespace {
 
+constexpr std::size_t kGrain = 1 << 15;
 constexpr std::size_t most_elements = std::size_t{1} << 30;
 constexpr double furthest = 1e9;                              // mm
 constexpr double least_diagonal = 9, largest_diagonal = 400;  // mm: an incisor's crown; a tray with both plaster bases
@@ -27,7 +28,7 @@ std::string vertex_text(std::size_t v, const Vec3 &p) {
 std::size_t first_bad(std::size_t n, const Executor &executor, const auto &bad) {
   std::size_t first = n;
   std::mutex guard;
-  executor.ranges(n, 1 << 16, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (bad(i)) {
         const std::lock_guard lock(guard);
@@ -49,10 +50,19 @@ double in_millimetres(Unit unit) {
   throw Error(Fault::invalid_argument, "unit " + std::to_string(static_cast<int>(unit)) + " is not one");
 }
 
-void check_size(const RawMesh &raw) {
+void check_size(const RawMesh &raw, const Executor &executor) {
   const double inf = std::numeric_limits<double>::infinity();
   Vec3 low(inf, inf, inf), high = -low;
-  for (const Index v : raw.corner) low = low.cwiseMin(raw.position[v]), high = high.cwiseMax(raw.position[v]);
+  std::mutex guard;
+  executor.ranges(raw.corner.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Vec3 least(inf, inf, inf), most = -least;
+    for (std::size_t c = begin; c < end; ++c) {
+      const Vec3 &p = raw.position[raw.corner[c]];
+      least = least.cwiseMin(p), most = most.cwiseMax(p);
+    }
+    const std::lock_guard lock(guard);
+    low = low.cwiseMin(least), high = high.cwiseMax(most);
+  });
   const double diagonal = (high - low).norm();
   const auto fits = [&](double scale) {
     return scale * diagonal >= least_diagonal && scale * diagonal <= largest_diagonal;
@@ -92,15 +102,16 @@ void check_elements(const RawMesh &raw, const Executor &executor) {
                                            ", but there are only " + std::to_string(vertices));
 }
 
-void to_millimetres(RawMesh &raw, Unit unit) {
+void to_millimetres(RawMesh &raw, Unit unit, const Executor &executor) {
   const double scale = in_millimetres(unit);
-  for (std::size_t v = 0; v < raw.position.size(); ++v) {
-    Vec3 &p = raw.position[v];
-    if (!(p.cwiseAbs().maxCoeff() <= furthest / scale))
-      throw Error(Fault::mesh_too_large, vertex_text(v, p) + " lies beyond 1e9 mm");
-    if (scale != 1) p *= scale;
-  }
-  if (unit == Unit::checked_mm) check_size(raw);
+  const std::size_t v = first_bad(raw.position.size(), executor, [&](std::size_t i) {
+    return !(raw.position[i].cwiseAbs().maxCoeff() <= furthest / scale);
+  });
+  if (v < raw.position.size())
+    throw Error(Fault::mesh_too_large, vertex_text(v, raw.position[v]) + " lies beyond 1e9 mm");
+  if (scale != 1)
+    for (Vec3 &p : raw.position) p *= scale;
+  if (unit == Unit::checked_mm) check_size(raw, executor);
 }
 
 }  // namespace ts::mesh

@@ -10,6 +10,6 @@ void check_elements(const RawMesh &raw, const Executor &executor);
 
 // Turns the coordinates into millimetres; throws if they are beyond 1e9, or if `unit` asks for a check and the size of
 // what the faces use is not that of a scan.
-void to_millimetres(RawMesh &raw, Unit unit);
+void to_millimetres(RawMesh &raw, Unit unit, const Executor &executor);
 
 }  // namespace ts::mesh

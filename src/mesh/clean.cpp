@@ -18,6 +18,31 @@ bool is_proper(std::span<const Vec3> position, const Triangle &t) {
   return u.cross(v).norm() > 1e-12 * longest;
 }
 
+constexpr std::size_t kGrain = 1 << 14;
+
+// Faces that are triangles as they are: what is to go is marked by a corner that is none, and then left out.
+void take_triangles(const RawMesh &raw, std::span<const Index> kept, CleanFaces &clean, const Executor &executor) {
+  clean.triangle.resize(raw.faces());
+  clean.source.resize(raw.faces());
+  executor.ranges(raw.faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const std::span<const Index> corners = raw.face(f);
+      const Triangle t{kept[corners[0]], kept[corners[1]], kept[corners[2]]};
+      clean.triangle[f] = is_proper(raw.position, t) ? t : Triangle{none, none, none};
+      clean.source[f] = static_cast<Index>(f);
+    }
+  });
+  std::size_t size = 0;
+  for (std::size_t f = 0; f < raw.faces(); ++f) {
+    if (clean.triangle[f][0] == none) continue;
+    if (size != f) clean.triangle[size] = clean.triangle[f], clean.source[size] = clean.source[f];
+    ++size;
+  }
+  clean.degenerate = static_cast<Index>(raw.faces() - size);
+  clean.triangle.resize(size);
+  clean.source.resize(size);
+}
+
 void cut_polygons(const RawMesh &raw, std::span<const Index> kept, CleanFaces &clean, Progress progress) {
   Triangulator triangulate;
   Vec<Index> polygon;
@@ -49,37 +74,66 @@ void cut_polygons(const RawMesh &raw, std::span<const Index> kept, CleanFaces &c
   }
 }
 
-// same[t]: the first triangle with the corners of t, whichever way round.
-Vec<Index> find_duplicates(std::span<const Triangle> triangle, std::size_t vertices) {
-  struct Key {
-    Index middle, high, triangle;
-    bool operator<(const Key &o) const {
-      return middle != o.middle ? middle < o.middle : high != o.high ? high < o.high : triangle < o.triangle;
+struct Corners {
+  Index middle, high, triangle;
+  bool operator<(const Corners &o) const {
+    return middle != o.middle ? middle < o.middle : high != o.high ? high < o.high : triangle < o.triangle;
+  }
+  bool are(const Corners &o) const { return middle == o.middle && high == o.high; }
+};
+
+// The upper corners of the triangles of which v is the lowest.
+void gather(std::span<const Triangle> triangle, std::span<const Index> around, Index v, Vec<Corners> &corners) {
+  corners.resize(around.size());
+  std::size_t size = 0;
+  for (const Index t : around) {
+    const auto [a, b, c] = triangle[t];
+    const Index low = std::min({a, b, c}), high = std::max({a, b, c});
+    corners[size] = {a ^ b ^ c ^ low ^ high, high, t};
+    size += low == v;
+  }
+  corners.resize(size);
+}
+
+bool any_duplicate(std::span<const Triangle> triangle, const Rows &around, const Executor &executor) {
+  constexpr std::size_t few = 8;
+  Vec<std::uint8_t> found((around.size() + kGrain - 1) / kGrain, 0);
+  executor.ranges(around.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Vec<Corners> corners;
+    bool any = false;
+    for (std::size_t v = begin; v < end; ++v) {
+      gather(triangle, around[v], static_cast<Index>(v), corners);
+      if (corners.size() > few) std::sort(corners.begin(), corners.end());
+      for (std::size_t i = 1; i < corners.size(); ++i)
+        for (std::size_t j = corners.size() > few ? i - 1 : 0; j < i; ++j) any |= corners[i].are(corners[j]);
     }
-  };
-  const Rows by_low = rows_by(vertices, triangle.size(), [&](std::size_t t, const auto &add) {
-    add(std::min({triangle[t][0], triangle[t][1], triangle[t][2]}));
+    found[begin / kGrain] = any;
   });
+  return std::find(found.begin(), found.end(), 1) != found.end();
+}
+
+// same[t]: the first triangle with the corners of t, whichever way round.
+Vec<Index> find_duplicates(std::span<const Triangle> triangle, const Rows &around) {
   Vec<Index> same(triangle.size());
-  Vec<Key> key;
-  for (std::size_t v = 0; v < vertices; ++v) {
-    key.clear();
-    for (const Index t : by_low[v]) {
-      Triangle s = triangle[t];
-      std::sort(s.begin(), s.end());
-      key.push_back({s[1], s[2], t});
-    }
-    std::sort(key.begin(), key.end());
-    for (std::size_t i = 0; i < key.size(); ++i) {
-      const bool again = i > 0 && key[i].middle == key[i - 1].middle && key[i].high == key[i - 1].high;
-      same[key[i].triangle] = again ? same[key[i - 1].triangle] : key[i].triangle;
+  Vec<Corners> corners;
+  for (std::size_t v = 0; v < around.size(); ++v) {
+    gather(triangle, around[v], static_cast<Index>(v), corners);
+    std::sort(corners.begin(), corners.end());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const bool again = i > 0 && corners[i].are(corners[i - 1]);
+      same[corners[i].triangle] = again ? same[corners[i - 1].triangle] : corners[i].triangle;
     }
   }
   return same;
 }
 
-void drop_duplicates(CleanFaces &clean, std::size_t vertices) {
-  const Vec<Index> same = find_duplicates(clean.triangle, vertices);
+void drop_duplicates(CleanFaces &clean, std::size_t vertices, const Executor &executor) {
+  clean.around = faces_around(vertices, clean.triangle);
+  if (!any_duplicate(clean.triangle, clean.around, executor)) {
+    for (std::size_t t = clean.triangle.size(); t-- > 0;) clean.label[clean.source[t]] = static_cast<Index>(t);
+    return;
+  }
+  const Vec<Index> same = find_duplicates(clean.triangle, clean.around);
   Vec<Index> place(same.size());  // of a triangle, or of the one it duplicates, among those kept
   Index size = 0, last_counted = none;
   for (Index t = 0; t < same.size(); ++t) {
@@ -98,6 +152,7 @@ void drop_duplicates(CleanFaces &clean, std::size_t vertices) {
   }
   clean.triangle.resize(size);
   clean.source.resize(size);
+  clean.around = faces_around(vertices, clean.triangle);
 }
 
 // A face that is gone takes the label of the triangle nearest to it among those at its corners (of the first 64 at
@@ -131,11 +186,17 @@ void label_degenerate(const RawMesh &raw, std::span<const Index> kept, CleanFace
 
 }  // namespace
 
-CleanFaces clean_faces(const RawMesh &raw, std::span<const Index> kept, Progress progress) {
+CleanFaces clean_faces(const RawMesh &raw, std::span<const Index> kept, const Executor &executor, Progress progress) {
   CleanFaces clean;
-  cut_polygons(raw, kept, clean, progress);
+  bool triangles = true;
+  for (std::size_t f = 0; f < raw.face_start.size() && triangles; ++f) triangles = raw.face_start[f] == 3 * f;
+  if (triangles)
+    take_triangles(raw, kept, clean, executor);
+  else
+    cut_polygons(raw, kept, clean, progress.part(0, 0.5, "intake"));
+  progress(0.5);
   clean.label.assign(raw.faces(), none);
-  drop_duplicates(clean, raw.position.size());
+  drop_duplicates(clean, raw.position.size(), executor);
   if (clean.degenerate > 0) label_degenerate(raw, kept, clean);
   return clean;
 }

@@ -10,21 +10,31 @@
 namespace ts::mesh {
 namespace {
 
-// Numbers the vertices that the triangles use, in the caller's order, renames the triangles' corners accordingly, and
-// gives the positions of those vertices.
-Vec<Vec3> keep_used(const RawMesh &raw, std::span<Triangle> triangle, Vec<Index> &number) {
-  number.assign(raw.position.size(), none);
-  for (const Triangle &t : triangle)
-    for (const Index v : t) number[v] = 0;
-  Vec<Vec3> position;
-  position.reserve(triangle.size() / 2);
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] == none) continue;
-    number[v] = static_cast<Index>(position.size());
-    position.push_back(raw.position[v]);
-  }
-  for (Triangle &t : triangle)
-    for (Index &v : t) v = number[v];
+constexpr std::size_t kGrain = 1 << 14;
+
+// Numbers the vertices that have a triangle, in the caller's order, renames the triangles' corners accordingly, leaves
+// out the rows of the others, and gives the positions of those that stay.
+Vec<Vec3> keep_used(const Vec<Vec3> &from, CleanFaces &clean, Vec<Index> &number, const Executor &executor) {
+  Vec<Index> &start = clean.around.start;
+  number.assign(from.size(), none);
+  Index size = 0;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    if (start[v] < start[v + 1]) {
+      start[size] = start[v];
+      number[v] = size++;
+    }
+  start[size] = start.back();
+  start.resize(size + std::size_t{1});
+  Vec<Vec3> position(size);
+  executor.ranges(number.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      if (number[v] != none) position[number[v]] = from[v];
+  });
+  if (size < number.size())
+    executor.ranges(clean.triangle.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
+        for (Index &v : clean.triangle[t]) v = number[v];
+    });
   return position;
 }
 
@@ -53,11 +63,11 @@ Model make_model(RawMesh raw, const IntakeOptions &options, const Executor &exec
   const Progress step = progress.part(0, 1, "intake");
   step(0);
   check_elements(raw, executor);
-  to_millimetres(raw, options.unit);
+  to_millimetres(raw, options.unit, executor);
   step(0.1);
   const Vec<Index> kept = weld(raw.position, options.weld_tolerance, executor);
   step(0.25);
-  CleanFaces clean = clean_faces(raw, kept, progress.part(0.25, 0.4, "intake"));
+  CleanFaces clean = clean_faces(raw, kept, executor, progress.part(0.25, 0.4, "intake"));
   if (clean.triangle.empty()) throw Error(Fault::mesh_empty, "all faces of the mesh are degenerate");
   if (clean.triangle.size() > std::size_t{1} << 30) throw Error(Fault::mesh_too_large, "more than 2^30 triangles");
 
@@ -69,7 +79,7 @@ Model make_model(RawMesh raw, const IntakeOptions &options, const Executor &exec
   report.degenerate_faces = clean.degenerate;
   report.duplicate_faces = clean.duplicate;
   Vec<Index> number;
-  Vec<Vec3> position = keep_used(raw, clean.triangle, number);
+  Vec<Vec3> position = keep_used(raw.position, clean, number, executor);
   count_vertices(kept, number, report);
   model.vertex_map.resize(kept.size());
   for (std::size_t v = 0; v < kept.size(); ++v) model.vertex_map[v] = number[kept[v]];
@@ -78,17 +88,17 @@ Model make_model(RawMesh raw, const IntakeOptions &options, const Executor &exec
   raw = {};
   step(0.4);
 
-  Manifold manifold = make_manifold(position, std::move(clean.triangle));
+  Manifold manifold = make_manifold(position, std::move(clean.triangle), std::move(clean.around), executor);
   for (const Index v : manifold.copy_of) position.push_back(Vec3(position[v]));
   report.flipped_faces = manifold.flipped;
   report.non_manifold_edges = manifold.non_manifold_edges;
   report.non_manifold_vertices = manifold.non_manifold_vertices;
   report.unorientable_edges = manifold.unorientable_edges;
   step(0.6);
-  model.surface = make_surface(std::move(position), std::move(manifold.triangle));
+  model.surface = make_surface(std::move(position), std::move(manifold.triangle), executor, std::move(manifold.links));
   describe(model.surface, report);
   step(0.8);
-  model.bvh = Bvh(model.surface);
+  model.bvh = Bvh(model.surface, executor);
   step(1);
   return model;
 }

@@ -1,8 +1,9 @@
 #include "mesh/manifold.h"
 
 #include <algorithm>
+#include <iterator>
 
-#include "mesh/edge_table.h"
+#include "mesh/edges.h"
 
 namespace ts::mesh {
 namespace {
@@ -20,11 +21,25 @@ struct Side {  // of an edge after splitting
 
 class Repair {
  public:
-  Repair(std::span<const Vec3> position, Vec<Triangle> triangle)
-      : position_(position), triangle_(std::move(triangle)), twin_(3 * triangle_.size(), none) {}
+  Repair(std::span<const Vec3> position, Vec<Triangle> triangle, Rows vertex_faces, const Executor &executor)
+      : position_(position),
+        triangle_(std::move(triangle)),
+        around_(std::move(vertex_faces)),
+        twin_(3 * triangle_.size(), none),
+        executor_(executor) {}
 
   Manifold run() {
     link();
+    if (shared_.empty() && !clash_) {  // most scans
+      if (one_fan_each()) {
+        out_.triangle = std::move(triangle_);
+        out_.links.vertex_faces = std::move(around_);
+      } else {
+        split();
+      }
+      out_.links.twin = std::move(twin_);
+      return std::move(out_);
+    }
     Vec<std::uint8_t> flip = orient();
     if (!shared_.empty()) {
       for (const Shared &s : shared_) pair_smoothest(s, flip);
@@ -41,6 +56,9 @@ class Repair {
   Index from(Index h) const { return triangle_[h / 3][h % 3]; }
   Index to(Index h) const { return from(next_in_face(h)); }
   bool same_way(Index h, Index g) const { return from(h) == from(g); }
+  // The next corner of the fan, to either side.
+  Index left(Index h) const { return twin_[next_in_face(next_in_face(h))]; }
+  Index right(Index h) const { return twin_[h] == none ? none : next_in_face(twin_[h]); }
   void join(Index h, Index g) { twin_[h] = g, twin_[g] = h; }
   void part(Index h) {
     if (twin_[h] != none) twin_[twin_[h]] = none;
@@ -48,6 +66,7 @@ class Repair {
   }
 
   void link();
+  bool one_fan_each() const;
   Vec<std::uint8_t> orient() const;
   double bend(const Edge &ends, Index h, Index g) const;
   void pair_smoothest(const Shared &s, std::span<const std::uint8_t> flip);
@@ -58,23 +77,63 @@ class Repair {
   bool pair_otherwise(std::span<const Side> sides);
   Edge corner_vertices(Index h) const;
 
+  static constexpr std::size_t kGrain = 1 << 13;
+
   std::span<const Vec3> position_;
   Vec<Triangle> triangle_;  // of the given vertices
+  Rows around_;             // a given vertex: its faces
   Vec<Index> twin_;         // joined half-edges, also such as do not fit each other yet
+  bool clash_ = false;      // there are such
   Vec<Shared> shared_;
+  const Executor &executor_;
   Manifold out_;
 };
 
 void Repair::link() {
-  const EdgeTable table(position_.size(), triangle_);
-  table.each_edge([&](Index low, Index high, std::span<const EdgeTable::Entry> sides) {
-    if (sides.size() == 2) join(sides[0][1], sides[1][1]);
-    if (sides.size() <= 2) return;
-    Shared s{{low, high}, {}};
-    for (const auto &[end, h] : sides) s.side.push_back(h);
-    shared_.push_back(std::move(s));
+  struct Found {
+    Vec<Shared> shared;
+    bool clash = false;
+  };
+  Vec<Found> found((position_.size() + kGrain - 1) / kGrain);
+  executor_.ranges(position_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Found &here = found[begin / kGrain];
+    EdgesUp up;
+    for (Index v = static_cast<Index>(begin); v < end; ++v)
+      up(triangle_, v, around_[v], [&](Index high, std::span<const EdgesUp::Side> sides) {
+        if (sides.size() == 2) join(sides[0][1], sides[1][1]), here.clash |= same_way(sides[0][1], sides[1][1]);
+        if (sides.size() <= 2) return;
+        Shared s{{v, high}, {}};
+        for (const auto &[end_, h] : sides) s.side.push_back(h);
+        here.shared.push_back(std::move(s));
+      });
   });
+  for (Found &f : found) {
+    clash_ |= f.clash;
+    std::move(f.shared.begin(), f.shared.end(), std::back_inserter(shared_));
+  }
   out_.non_manifold_edges = static_cast<Index>(shared_.size());
+}
+
+// Of faces that agree on which way round they are: whether those around each vertex are one fan.
+bool Repair::one_fan_each() const {
+  Vec<std::uint8_t> one((position_.size() + kGrain - 1) / kGrain, 1);
+  executor_.ranges(position_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (Index v = static_cast<Index>(begin); v < end; ++v) {
+      const std::span<const Index> faces = around_[v];
+      if (faces.empty()) continue;
+      const Triangle &t = triangle_[faces[0]];
+      const Index first = 3 * faces[0] + (t[0] == v ? 0 : t[1] == v ? 1 : 2);
+      std::size_t seen = 1;
+      Index h = left(first);
+      for (; h != none && h != first; h = left(h)) ++seen;
+      if (h == none)
+        for (h = right(first); h != none; h = right(h)) ++seen;
+      if (seen == faces.size()) continue;
+      one[begin / kGrain] = 0;
+      return;
+    }
+  });
+  return std::find(one.begin(), one.end(), 0) == one.end();
 }
 
 // Which faces to turn round, so that joined faces agree and each piece keeps the winding of most of its area.
@@ -173,8 +232,6 @@ void Repair::split() {
   const auto around = [&](Index corner, const auto &step, Index vertex) {
     for (Index h = corner; h != none && !done[h]; h = step(h)) done[h] = 1, out_.triangle[h / 3][h % 3] = vertex;
   };
-  const auto left = [&](Index h) { return twin_[next_in_face(next_in_face(h))]; };
-  const auto right = [&](Index h) { return twin_[h] == none ? none : next_in_face(twin_[h]); };
   for (Index h = 0; h < twin_.size(); ++h) {
     if (done[h]) continue;
     Index v = from(h);
@@ -186,8 +243,11 @@ void Repair::split() {
     } else {
       fans[v] = 1;
     }
-    around(h, left, v);
-    if (right(h) != none) around(right(h), right, v);
+    around(
+        h, [&](Index g) { return left(g); }, v);
+    if (right(h) != none)
+      around(
+          right(h), [&](Index g) { return right(g); }, v);
   }
 }
 
@@ -238,8 +298,9 @@ bool Repair::pair_otherwise(std::span<const Side> sides) {
 
 }  // namespace
 
-Manifold make_manifold(std::span<const Vec3> position, Vec<Triangle> triangle) {
-  return Repair(position, std::move(triangle)).run();
+Manifold make_manifold(std::span<const Vec3> position, Vec<Triangle> triangle, Rows vertex_faces,
+                       const Executor &executor) {
+  return Repair(position, std::move(triangle), std::move(vertex_faces), executor).run();
 }
 
 }  // namespace ts::mesh

@@ -4,40 +4,118 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/edge_table.h"
+#include "mesh/edges.h"
 #include "mesh/rows.h"
 
 namespace ts::mesh {
 namespace {
 
-void link_edges(Surface &s) {
-  const EdgeTable table(s.vertices(), s.triangle);
-  s.twin.assign(3 * s.faces(), none);
-  s.edge_of.resize(3 * s.faces());
-  s.edge.reserve(s.faces() + s.faces() / 2 + s.vertices() / 16);
-  table.each_edge([&](Index low, Index high, std::span<const EdgeTable::Entry> sides) {
-    for (const auto &[end, h] : sides) s.edge_of[h] = static_cast<Index>(s.edge.size());
-    s.edge.push_back({low, high});
-    if (sides.size() != 2 || s.from(sides[0][1]) == s.from(sides[1][1])) return;
-    s.twin[sides[0][1]] = sides[1][1];
-    s.twin[sides[1][1]] = sides[0][1];
+constexpr std::size_t kGrain = 1 << 13;
+
+// visit(v) for each vertex, with a workspace of the range's own.
+template <class Space>
+void each_vertex(const Surface &s, const Executor &executor, const auto &visit) {
+  executor.ranges(s.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Space space;
+    for (Index v = static_cast<Index>(begin); v < end; ++v) visit(space, v);
   });
 }
 
-void measure(Surface &s) {
+void find_twins(Surface &s, const Executor &executor) {
+  s.twin.assign(3 * s.faces(), none);
+  each_vertex<EdgesUp>(s, executor, [&](EdgesUp &up, Index v) {
+    up(s.triangle, v, s.vertex_faces[v], [&](Index, std::span<const EdgesUp::Side> sides) {
+      if (sides.size() != 2 || s.from(sides[0][1]) == s.from(sides[1][1])) return;
+      s.twin[sides[0][1]] = sides[1][1];
+      s.twin[sides[1][1]] = sides[0][1];
+    });
+  });
+}
+
+// The edges of a surface whose half-edges without a twin are each on an edge of its own: no need to bring the two sides
+// of an edge together, so that one of them speaks for both.
+void number_joined_edges(Surface &s, const Executor &executor) {
+  // visit(half-edge, upper end) for the edges up from v.
+  const auto up_from = [&](Index v, const auto &visit) {
+    for (const Index f : s.vertex_faces[v]) {
+      const Triangle &t = s.triangle[f];
+      const Index k = t[0] == v ? 0 : t[1] == v ? 1 : 2, before = k == 0 ? 2 : k - 1;
+      const Index next = t[k == 2 ? 0 : k + 1], last = t[before], out = 3 * f + k, in = 3 * f + before;
+      if (next > v && out < s.twin[out]) visit(out, next);  // none is more than any
+      if (last > v && in < s.twin[in]) visit(in, last);
+    }
+  };
+  Vec<Index> first(s.vertices() + 1, 0);  // of the edges up from a vertex
+  each_vertex<int>(s, executor, [&](int, Index v) { up_from(v, [&](Index, Index) { ++first[v + 1]; }); });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  s.edge.resize(first.back());
+  s.edge_of.resize(3 * s.faces());
+  each_vertex<Vec<EdgesUp::Side>>(s, executor, [&](Vec<EdgesUp::Side> &up, Index v) {
+    up.clear();
+    up_from(v, [&](Index h, Index high) { up.push_back({high, h}); });
+    std::sort(up.begin(), up.end(), [](const auto &a, const auto &b) { return a[0] < b[0]; });
+    for (Index i = 0, e = first[v]; i < up.size(); ++i, ++e) {
+      const auto &[high, h] = up[i];
+      s.edge[e] = {v, high};
+      s.edge_of[h] = e;
+      if (s.twin[h] != none) s.edge_of[s.twin[h]] = e;
+    }
+  });
+}
+
+void number_edges(Surface &s, const Executor &executor) {
+  Vec<Index> first(s.vertices() + 1, 0);
+  each_vertex<EdgesUp>(s, executor, [&](EdgesUp &up, Index v) {
+    up(s.triangle, v, s.vertex_faces[v], [&](Index, std::span<const EdgesUp::Side>) { ++first[v + 1]; });
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  s.edge.resize(first.back());
+  s.edge_of.resize(3 * s.faces());
+  each_vertex<EdgesUp>(s, executor, [&](EdgesUp &up, Index v) {
+    Index e = first[v];
+    up(s.triangle, v, s.vertex_faces[v], [&](Index high, std::span<const EdgesUp::Side> sides) {
+      s.edge[e] = {v, high};
+      for (const auto &[end, h] : sides) s.edge_of[h] = e;
+      ++e;
+    });
+  });
+}
+
+void measure_faces(Surface &s, const Executor &executor) {
   s.face_area.resize(s.faces());
   s.face_normal.resize(s.faces());
-  s.vertex_area.assign(s.vertices(), 0);
-  for (std::size_t f = 0; f < s.faces(); ++f) {
-    const auto [a, b, c] = s.triangle[f];
-    const Vec3 n = (s.position[b] - s.position[a]).cross(s.position[c] - s.position[a]);
-    const double twice = n.norm();
-    s.face_area[f] = twice / 2;
-    s.face_normal[f] = twice > 0 ? Vec3(n / twice) : Vec3(0, 0, 0);
-    for (const Index v : s.triangle[f]) s.vertex_area[v] += twice / 6;
-    s.area += twice / 2;
+  executor.ranges(s.faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto [a, b, c] = s.triangle[f];
+      const Vec3 n = (s.position[b] - s.position[a]).cross(s.position[c] - s.position[a]);
+      const double twice = n.norm();
+      s.face_area[f] = twice / 2;
+      s.face_normal[f] = twice > 0 ? Vec3(n / twice) : Vec3(0, 0, 0);
+    }
+  });
+  s.vertex_area.resize(s.vertices());
+  executor.ranges(s.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      double area = 0;
+      for (const Index f : s.vertex_faces[v]) area += 2 * s.face_area[f] / 6;
+      s.vertex_area[v] = area;
+    }
+  });
+}
+
+void measure(Surface &s, const Executor &executor) {
+  measure_faces(s, executor);
+  for (const double area : s.face_area) s.area += area;
+  // Summed in the order of the edges, a block of lengths at a time.
+  constexpr std::size_t block = 1 << 16;
+  Vec<double> length(std::min(block, s.edge.size()));
+  for (std::size_t first = 0; first < s.edge.size(); first += block) {
+    const std::size_t n = std::min(block, s.edge.size() - first);
+    executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) length[i] = s.edge_length(static_cast<Index>(first + i));
+    });
+    for (std::size_t i = 0; i < n; ++i) s.mean_edge += length[i];
   }
-  for (Index e = 0; e < s.edge.size(); ++e) s.mean_edge += s.edge_length(e);
   if (!s.edge.empty()) s.mean_edge /= static_cast<double>(s.edge.size());
   if (!s.position.empty()) {
     Vec3 low = s.position[0], high = low;
@@ -118,21 +196,38 @@ void trace_boundaries(Surface &s) {
 
 }  // namespace
 
-Surface make_surface(Vec<Vec3> position, Vec<Triangle> triangle) {
+Rows faces_around(std::size_t vertices, std::span<const Triangle> triangle) {
+  return rows_by(vertices, triangle.size(), [&](std::size_t f, const auto &add) {
+    for (const Index v : triangle[f]) add(v);
+  });
+}
+
+Surface make_surface(Vec<Vec3> position, Vec<Triangle> triangle, const Executor &executor, Links links) {
   Surface s;
   s.position = std::move(position);
   s.triangle = std::move(triangle);
-  link_edges(s);
-  s.vertex_faces = rows_by(s.vertices(), s.faces(), [&](std::size_t f, const auto &add) {
-    for (const Index v : s.triangle[f]) add(v);
+  s.vertex_faces = std::move(links.vertex_faces);
+  s.twin = std::move(links.twin);
+  if (s.vertex_faces.start.empty()) s.vertex_faces = faces_around(s.vertices(), s.triangle);
+  if (s.twin.empty()) {
+    find_twins(s, executor);
+    number_edges(s, executor);
+  } else {
+    number_joined_edges(s, executor);
+  }
+  measure(s, executor);
+  // What is left goes from one element to the next and cannot be split, but each part for itself.
+  executor.each(3, [&](std::size_t part) {
+    if (part == 0)
+      s.vertex_edges = rows_by(s.vertices(), s.edge.size(), [&](std::size_t e, const auto &add) {
+        add(s.edge[e][0]);
+        add(s.edge[e][1]);
+      });
+    else if (part == 1)
+      find_components(s);
+    else
+      trace_boundaries(s);
   });
-  s.vertex_edges = rows_by(s.vertices(), s.edge.size(), [&](std::size_t e, const auto &add) {
-    add(s.edge[e][0]);
-    add(s.edge[e][1]);
-  });
-  measure(s);
-  find_components(s);
-  trace_boundaries(s);
   return s;
 }
 

@@ -13,6 +13,7 @@
 #include <span>
 #include <utility>
 
+#include "base/executor.h"
 #include "base/memory.h"
 
 namespace ts::mesh {
@@ -71,8 +72,18 @@ struct Surface {
   double edge_length(Index e) const { return (position[edge[e][0]] - position[edge[e][1]]).norm(); }
 };
 
+// A vertex: its faces, ascending.
+Rows faces_around(std::size_t vertices, std::span<const Triangle> triangle);
+
+// What intake may know of the triangles already; empty where it does not.
+struct Links {
+  Rows vertex_faces;
+  Vec<Index> twin;  // if given, no edge has more than two faces, or two in the same direction
+};
+
 // Fills everything from positions and triangles. An edge with more than two faces, or with two in the same direction,
 // is left without twins (as if cut open).
-Surface make_surface(Vec<Vec3> position, Vec<Triangle> triangle);
+Surface make_surface(Vec<Vec3> position, Vec<Triangle> triangle, const Executor &executor = Executor(1),
+                     Links links = {});
 
 }  // namespace ts::mesh

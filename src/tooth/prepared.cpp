@@ -65,21 +65,24 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   geometry::Concavity valleys = geometry::concavity(surface, options.normal_radius, features.inside_out, executor);
   p.seam = cut::seams(surface, valleys.vertex, valleys.edge);
   p.concavity = std::move(valleys.vertex);
+  p.cotangent = std::move(valleys.cotangent);
   p.lengthened = valleys.lengthened;
   p.widened = valleys.widened;
   for (const features::Group &g : features.groups) p.width.push_back(std::max(0.0, g.to - g.from));
   p.along = along_the_arch(features);
   p.occlusal = features.occlusal;
   progress.part(0.2, 0.3, "weights")(0);
-  const Vec<double> weight = field::edge_weights(
+  Vec<double> weight = field::edge_weights(
       surface, p.concavity,
       {options.weights, options.beta, options.gamma, options.theta, options.c0, features.inside_out}, executor);
-  p.cotangent = geometry::cotangent_weights(surface, 0.01, executor);
+  valleys = {};
   p.click_cost.resize(surface.edge.size());
-  for (Index e = 0; e < surface.edge.size(); ++e) {
-    const double c = (p.concavity[surface.edge[e][0]] + p.concavity[surface.edge[e][1]]) / 2;
-    p.click_cost[e] = surface.edge_length(e) * (1 + options.click_concavity * kClickLength * c);
-  }
+  executor.ranges(surface.edge.size(), 1 << 13, [&](std::size_t begin, std::size_t end) {
+    for (Index e = static_cast<Index>(begin); e < end; ++e) {
+      const double c = (p.concavity[surface.edge[e][0]] + p.concavity[surface.edge[e][1]]) / 2;
+      p.click_cost[e] = surface.edge_length(e) * (1 + options.click_concavity * kClickLength * c);
+    }
+  });
   p.times.weights = watch.lap();
 
   const bool several =
@@ -88,7 +91,7 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
                               {options.seed_radius, options.background != Background::neighbour || !several,
                                options.gingiva_distance, p.lengthened});
   p.solver =
-      std::make_unique<field::Solver>(surface, weight, p.nodes, executor, progress.part(0.3, 1, "factorisation"));
+      std::make_unique<field::Solver>(surface, std::move(weight), p.nodes, executor, progress.part(0.3, 1, "factorisation"));
   p.outlier = options.reject_outliers ? field::find_outliers(*p.solver, p.nodes, convexity)
                                       : Vec<std::uint8_t>(p.nodes.size(), 0);
 
