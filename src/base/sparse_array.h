@@ -2,6 +2,10 @@
 // a part costs what the part costs.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
 #include "base/memory.h"
 
 namespace ts {
@@ -22,6 +26,28 @@ class SparseArray {
   // Whatever was set since the last clear, in the order of its first setting; elements set back to the clean value and
   // set again are there twice.
   const Vec<Index> &touched() const { return touched_; }
+
+  // The elements that are not clean, ascending: by looking through all between the first and the last, which for small
+  // elements is quicker than sorting.
+  Vec<Index> ascending() const {
+    Vec<Index> found;
+    if (touched_.empty()) return found;
+    const auto [first, last] = std::ranges::minmax(touched_);
+    Index i = first;
+    if constexpr (sizeof(T) == 1)
+      while (i <= last && last - i >= 8) {
+        std::uint64_t eight, clean;
+        std::memcpy(&eight, value_.data() + i, 8);
+        std::memset(&clean, static_cast<unsigned char>(clean_), 8);
+        if (eight != clean)
+          for (Index k = i; k < i + 8; ++k)
+            if (value_[k] != clean_) found.push_back(k);
+        i += 8;
+      }
+    for (; i <= last; ++i)
+      if (value_[i] != clean_) found.push_back(i);
+    return found;
+  }
 
   void clear() noexcept {
     for (const Index i : touched_) value_[i] = clean_;

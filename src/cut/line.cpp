@@ -26,19 +26,6 @@ Vec<geometry::PathStart> set_sides(const Surface &s, Space &space) {
   return mixed;
 }
 
-Vec<Index> near_border(const Surface &s, const Vec<geometry::PathStart> &mixed, double width, Space &space) {
-  Vec<Index> near;
-  space.paths.search(
-      mixed, [&](Index e) { return s.edge_length(e); },
-      [&](Index v, double d, Index) {
-        if (d > width) return false;
-        near.push_back(v);
-        return true;
-      });
-  std::sort(near.begin(), near.end());
-  return near;
-}
-
 // Conjugate gradients on the vertices `near`; psi is held elsewhere.
 void smooth_near(const Surface &s, std::span<const double> cotangent, double radius, const Vec<Index> &near,
                  Space &space) {
@@ -135,12 +122,15 @@ void drop_unreached(const Surface &s, const Vec<Index> &near, bool negative, std
 
 }  // namespace
 
-Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> cotangent, double radius,
-                          std::span<const Index> seeds, Space &space) {
+Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> length, std::span<const double> cotangent,
+                          double radius, std::span<const Index> seeds, Space &space) {
   keep_seeded(surface, seeds, space.inside);
   const Vec<geometry::PathStart> mixed = set_sides(surface, space);
   // Two rings at least, so that the line cannot leave what is looked at.
-  const Vec<Index> near = near_border(surface, mixed, std::max(4 * radius, 2 * surface.mean_edge), space);
+  const std::span<const Index> reached = space.paths.within(
+      mixed, [&](Index e) { return length[e]; }, std::max(4 * radius, 2 * surface.mean_edge));
+  Vec<Index> near(reached.begin(), reached.end());
+  std::sort(near.begin(), near.end());
   Vec<Index> around, outer;
   for (const Index v : near) {
     for (const Index f : surface.vertex_faces[v])

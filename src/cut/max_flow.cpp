@@ -7,37 +7,38 @@ namespace ts::cut {
 
 using mesh::none;
 
-MaxFlow::MaxFlow(std::size_t nodes)
-    : first_(nodes, none),
-      parent_(nodes, none),
-      stamp_(nodes, 0),
-      distance_(nodes, 0),
-      excess_(nodes, 0),
-      tree_(nodes, Tree::none),
-      active_(nodes, 0) {}
+void MaxFlow::reset(std::size_t nodes) {
+  arc_.clear();
+  node_.assign(nodes, {});
+  queue_.clear();
+  orphans_.clear();
+  queue_head_ = 0;
+  time_ = 0;
+  flow_ = 0;
+}
 
 void MaxFlow::add_terminals(Index node, double from_source, double to_sink) {
-  if (excess_[node] > 0)
-    from_source += excess_[node];
+  if (node_[node].excess > 0)
+    from_source += node_[node].excess;
   else
-    to_sink -= excess_[node];
+    to_sink -= node_[node].excess;
   flow_ += std::min(from_source, to_sink);
-  excess_[node] = from_source - to_sink;
+  node_[node].excess = from_source - to_sink;
 }
 
 void MaxFlow::add_edge(Index a, Index b, double there, double back) {
-  arc_.push_back({b, first_[a], there});
-  first_[a] = static_cast<Index>(arc_.size() - 1);
-  arc_.push_back({a, first_[b], back});
-  first_[b] = static_cast<Index>(arc_.size() - 1);
+  arc_.push_back({b, node_[a].first, there});
+  node_[a].first = static_cast<Index>(arc_.size() - 1);
+  arc_.push_back({a, node_[b].first, back});
+  node_[b].first = static_cast<Index>(arc_.size() - 1);
 }
 
 double MaxFlow::solve() {
-  for (Index i = 0; i < tree_.size(); ++i) {
-    if (excess_[i] == 0) continue;
-    tree_[i] = excess_[i] > 0 ? Tree::source : Tree::sink;
-    parent_[i] = kRoot;
-    distance_[i] = 1;
+  for (Index i = 0; i < node_.size(); ++i) {
+    if (node_[i].excess == 0) continue;
+    node_[i].tree = node_[i].excess > 0 ? Tree::source : Tree::sink;
+    node_[i].parent = kRoot;
+    node_[i].distance = 1;
     activate(i);
   }
   for (Index middle = grow(); middle != none; middle = grow()) {
@@ -53,8 +54,8 @@ double MaxFlow::solve() {
 }
 
 void MaxFlow::activate(Index node) {
-  if (active_[node]) return;
-  active_[node] = 1;
+  if (node_[node].active) return;
+  node_[node].active = 1;
   queue_.push_back(node);
 }
 
@@ -62,23 +63,23 @@ void MaxFlow::activate(Index node) {
 Index MaxFlow::grow() {
   while (queue_head_ < queue_.size()) {
     const Index p = queue_[queue_head_];
-    if (tree_[p] != Tree::none) {
-      const bool from_source = tree_[p] == Tree::source;
-      for (Index a = first_[p]; a != none; a = arc_[a].next) {
+    if (node_[p].tree != Tree::none) {
+      const bool from_source = node_[p].tree == Tree::source;
+      for (Index a = node_[p].first; a != none; a = arc_[a].next) {
         if (!(arc_[from_source ? a : a ^ 1].residual > 0)) continue;
         const Index q = arc_[a].head;
-        if (tree_[q] == Tree::none) {
-          tree_[q] = tree_[p];
-          parent_[q] = a ^ 1;
-          stamp_[q] = stamp_[p];
-          distance_[q] = distance_[p] + 1;
+        if (node_[q].tree == Tree::none) {
+          node_[q].tree = node_[p].tree;
+          node_[q].parent = a ^ 1;
+          node_[q].stamp = node_[p].stamp;
+          node_[q].distance = node_[p].distance + 1;
           activate(q);
-        } else if (tree_[q] != tree_[p]) {
+        } else if (node_[q].tree != node_[p].tree) {
           return from_source ? a : a ^ 1;  // p stays active
         }
       }
     }
-    active_[p] = 0;
+    node_[p].active = 0;
     ++queue_head_;
     if (queue_head_ > 4096 && 2 * queue_head_ > queue_.size()) {
       queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(queue_head_));
@@ -89,29 +90,29 @@ Index MaxFlow::grow() {
 }
 
 double MaxFlow::bottleneck(Index node, double least) const {
-  while (parent_[node] != kRoot) {
-    least = std::min(least, towards(parent_[node], tree_[node]));
-    node = arc_[parent_[node]].head;
+  while (node_[node].parent != kRoot) {
+    least = std::min(least, towards(node_[node].parent, node_[node].tree));
+    node = arc_[node_[node].parent].head;
   }
-  return std::min(least, std::abs(excess_[node]));
+  return std::min(least, std::abs(node_[node].excess));
 }
 
 void MaxFlow::push(Index node, double amount) {
-  const Tree tree = tree_[node];
-  while (parent_[node] != kRoot) {
-    const Index a = parent_[node], with = tree == Tree::source ? a ^ 1 : a;
+  const Tree tree = node_[node].tree;
+  while (node_[node].parent != kRoot) {
+    const Index a = node_[node].parent, with = tree == Tree::source ? a ^ 1 : a;
     arc_[with].residual -= amount;
     arc_[with ^ 1].residual += amount;
     const Index up = arc_[a].head;
     if (!(arc_[with].residual > 0)) {
-      parent_[node] = none;
+      node_[node].parent = none;
       orphans_.push_back(node);
     }
     node = up;
   }
-  excess_[node] += tree == Tree::source ? -amount : amount;
-  if (tree == Tree::source ? !(excess_[node] > 0) : !(excess_[node] < 0)) {
-    parent_[node] = none;
+  node_[node].excess += tree == Tree::source ? -amount : amount;
+  if (tree == Tree::source ? !(node_[node].excess > 0) : !(node_[node].excess < 0)) {
+    node_[node].parent = none;
     orphans_.push_back(node);
   }
 }
@@ -131,52 +132,52 @@ void MaxFlow::augment(Index middle) {
 Index MaxFlow::distance_to_root(Index node) {
   Index steps = 0, at = node;
   for (;;) {
-    if (stamp_[at] == time_) {
-      steps += distance_[at];
+    if (node_[at].stamp == time_) {
+      steps += node_[at].distance;
       break;
     }
-    if (parent_[at] == none) return none;
+    if (node_[at].parent == none) return none;
     ++steps;
-    if (parent_[at] == kRoot) {
-      stamp_[at] = time_;
-      distance_[at] = 1;
+    if (node_[at].parent == kRoot) {
+      node_[at].stamp = time_;
+      node_[at].distance = 1;
       break;
     }
-    at = arc_[parent_[at]].head;
+    at = arc_[node_[at].parent].head;
   }
   Index left = steps;
-  for (Index i = node; stamp_[i] != time_; i = arc_[parent_[i]].head) {
-    stamp_[i] = time_;
-    distance_[i] = left--;
+  for (Index i = node; node_[i].stamp != time_; i = arc_[node_[i].parent].head) {
+    node_[i].stamp = time_;
+    node_[i].distance = left--;
   }
   return steps;
 }
 
 void MaxFlow::adopt(Index node) {
-  const Tree tree = tree_[node];
+  const Tree tree = node_[node].tree;
   Index best = none, least = none;
-  for (Index a = first_[node]; a != none; a = arc_[a].next) {
+  for (Index a = node_[node].first; a != none; a = arc_[a].next) {
     const Index q = arc_[a].head;
-    if (tree_[q] != tree || !(towards(a, tree) > 0)) continue;
+    if (node_[q].tree != tree || !(towards(a, tree) > 0)) continue;
     const Index d = distance_to_root(q);
     if (d < least) least = d, best = a;
   }
   if (best != none) {
-    parent_[node] = best;
-    stamp_[node] = time_;
-    distance_[node] = least + 1;
+    node_[node].parent = best;
+    node_[node].stamp = time_;
+    node_[node].distance = least + 1;
     return;
   }
-  for (Index a = first_[node]; a != none; a = arc_[a].next) {
+  for (Index a = node_[node].first; a != none; a = arc_[a].next) {
     const Index q = arc_[a].head;
-    if (tree_[q] != tree) continue;
+    if (node_[q].tree != tree) continue;
     if (towards(a, tree) > 0) activate(q);
-    if (parent_[q] != none && parent_[q] != kRoot && arc_[parent_[q]].head == node) {
-      parent_[q] = none;
+    if (node_[q].parent != none && node_[q].parent != kRoot && arc_[node_[q].parent].head == node) {
+      node_[q].parent = none;
       orphans_.push_back(q);
     }
   }
-  tree_[node] = Tree::none;
+  node_[node].tree = Tree::none;
 }
 
 }  // namespace ts::cut

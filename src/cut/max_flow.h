@@ -10,7 +10,8 @@ using mesh::Index;
 
 class MaxFlow {
  public:
-  explicit MaxFlow(std::size_t nodes);
+  explicit MaxFlow(std::size_t nodes = 0) { reset(nodes); }
+  void reset(std::size_t nodes);  // a new graph, in the memory of the old one
 
   // Capacities >= 0, added to what is there.
   void add_terminals(Index node, double from_source, double to_sink);
@@ -19,13 +20,19 @@ class MaxFlow {
   double solve();  // the value of the minimum cut; once
 
   // After solve: on the source's side of the minimum cut nearest to the source.
-  bool with_source(Index node) const { return tree_[node] == Tree::source; }
+  bool with_source(Index node) const { return node_[node].tree == Tree::source; }
 
  private:
   enum class Tree : std::uint8_t { none, source, sink };
   struct Arc {
     Index head, next;
     double residual;
+  };
+  struct Node {
+    double excess = 0;  // residual of the terminal: > 0 from the source, < 0 to the sink
+    Index first = mesh::none, parent = mesh::none, stamp = 0, distance = 0;
+    Tree tree = Tree::none;
+    bool active = false;
   };
   static constexpr Index kRoot = mesh::none - 1;  // parent of a node fed by its terminal
 
@@ -41,10 +48,7 @@ class MaxFlow {
   Index distance_to_root(Index node);
 
   Vec<Arc> arc_;  // in pairs
-  Vec<Index> first_, parent_, stamp_, distance_;
-  Vec<double> excess_;  // residual of the terminal: > 0 from the source, < 0 to the sink
-  Vec<Tree> tree_;
-  Vec<std::uint8_t> active_;
+  Vec<Node> node_;
   Vec<Index> queue_, orphans_;
   std::size_t queue_head_ = 0;
   Index time_ = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cut/max_flow.h"
 #include "geometry/paths.h"
 
 namespace ts::cut {
@@ -14,13 +13,8 @@ namespace {
 constexpr double kSeamLeast = 0.02, kSeamScale = 0.5, kStay = 0.07;
 constexpr double kNever = 1e6;
 
-double price(const Surface &s, std::span<const double> seam, Index e) {
-  const double c = seam[e] / kSeamScale;
-  return s.edge_length(e) * (kSeamLeast + (1 - kSeamLeast) / (1 + c * c));
-}
-
-// Faces all of whose vertices are within `width` of the border of the region, ascending.
-Vec<Index> band_of(const Surface &s, double width, Space &space) {
+// Faces all of whose vertices are within `width` of the border of the region.
+Vec<Index> band_of(const Surface &s, std::span<const double> length, double width, Space &space) {
   const Mask &inside = space.inside;
   Vec<geometry::PathStart> border;
   for (const Index f : inside.touched()) {
@@ -32,19 +26,15 @@ Vec<Index> band_of(const Surface &s, double width, Space &space) {
     }
   }
   Vec<Index> faces;
-  space.paths.search(
-      border, [&](Index e) { return s.edge_length(e); },
-      [&](Index v, double d, Index) {
-        if (d > width) return false;
-        space.marks.set(v, 1);
-        for (const Index f : s.vertex_faces[v]) {  // complete with its last corner
-          const auto &t = s.triangle[f];
-          if (space.marks[t[0]] + space.marks[t[1]] + space.marks[t[2]] == 3) faces.push_back(f);
-        }
-        return true;
-      });
+  for (const Index v : space.paths.within(
+           border, [&](Index e) { return length[e]; }, width)) {
+    space.marks.set(v, 1);
+    for (const Index f : s.vertex_faces[v]) {  // complete with its last corner
+      const auto &t = s.triangle[f];
+      if (space.marks[t[0]] + space.marks[t[1]] + space.marks[t[2]] == 3) faces.push_back(f);
+    }
+  }
   space.marks.clear();
-  std::sort(faces.begin(), faces.end());
   return faces;
 }
 
@@ -57,12 +47,22 @@ Vec<double> seams(const Surface &surface, std::span<const double> at_vertex, std
   return seam;
 }
 
-void refine(const Surface &surface, Values phi, std::span<const double> seam, Kinds fixed, const RefineOptions &options,
-            Space &space) {
+Vec<double> prices(std::span<const double> length, std::span<const double> seam) {
+  Vec<double> price(length.size());
+  for (std::size_t e = 0; e < price.size(); ++e) {
+    const double c = seam[e] / kSeamScale;
+    price[e] = length[e] * (kSeamLeast + (1 - kSeamLeast) / (1 + c * c));
+  }
+  return price;
+}
+
+void refine(const Surface &surface, Values phi, std::span<const double> length, std::span<const double> price,
+            Kinds fixed, const RefineOptions &options, Space &space) {
   Mask &inside = space.inside;
-  const Vec<Index> band = band_of(surface, options.band, space);
+  const Vec<Index> band = band_of(surface, length, options.band, space);
   for (Index i = 0; i < band.size(); ++i) space.place.set(band[i], i);
-  MaxFlow flow(band.size());
+  MaxFlow &flow = space.flow;
+  flow.reset(band.size());
   for (Index i = 0; i < band.size(); ++i) {
     const Index f = band[i];
     const auto &t = surface.triangle[f];
@@ -79,7 +79,7 @@ void refine(const Surface &surface, Values phi, std::span<const double> seam, Ki
       if (surface.twin[h] == mesh::none) continue;
       const Index g = mesh::face_of(surface.twin[h]), j = space.place[g];
       if (j != mesh::none && i >= j) continue;
-      const double cost = price(surface, seam, surface.edge_of[h]);
+      const double cost = price[surface.edge_of[h]];
       if (j == mesh::none)
         (inside[g] ? in : out) += cost;  // what is beyond the band stays as it is
       else

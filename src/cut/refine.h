@@ -14,10 +14,13 @@ struct RefineOptions {
 // .959; from 0 to 1 times the vertices' share it changes by less than .002.
 Vec<double> seams(const Surface &surface, std::span<const double> at_vertex, std::span<const double> at_edge);
 
+// What it costs to cut along each edge: |e| (0.02 + 0.98 / (1 + (seam / 0.5)^2)). `length` of each edge, mm.
+Vec<double> prices(std::span<const double> length, std::span<const double> seam);
+
 // A face keeps to its side with 0.07 |phi| area (phi the mean of its corners, about -1 deep inside to 1 far outside);
-// an edge between faces of different sides costs |e| (0.02 + 0.98 / (1 + (seam / 0.5)^2)). `fixed` (a vertex): 1 = its
+// an edge between faces of different sides costs its price. `fixed` (a vertex): 1 = its
 // faces must be inside, 2 = outside, 0 = free. The region is space.inside.
-void refine(const Surface &surface, Values phi, std::span<const double> seam, Kinds fixed, const RefineOptions &options,
-            Space &space);
+void refine(const Surface &surface, Values phi, std::span<const double> length, std::span<const double> price,
+            Kinds fixed, const RefineOptions &options, Space &space);
 
 }  // namespace ts::cut

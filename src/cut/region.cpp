@@ -111,12 +111,7 @@ Vec<Index> fill_holes(const Surface &surface, double area, Kinds foreign, std::s
 }
 
 Vec<Index> faces_of(const Mask &inside) {
-  Vec<Index> faces;
-  for (const Index f : inside.touched())
-    if (inside[f]) faces.push_back(f);
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
+  return inside.ascending();
 }
 
 Vec<Index> beside(const Surface &surface, const Mask &inside) {
@@ -130,12 +125,11 @@ Vec<Index> beside(const Surface &surface, const Mask &inside) {
 }
 
 Vec<Index> vertices_of(const Surface &surface, std::span<const Index> faces, Space &space) {
-  Vec<Index> vertices;
   for (const Index f : faces)
     for (const Index v : surface.triangle[f])
-      if (!space.marks[v]) space.marks.set(v, 1), vertices.push_back(v);
+      if (!space.marks[v]) space.marks.set(v, 1);
+  Vec<Index> vertices = space.marks.ascending();
   space.marks.clear();
-  std::sort(vertices.begin(), vertices.end());
   return vertices;
 }
 

@@ -4,6 +4,7 @@
 #include "base/function_ref.h"
 #include "base/pool.h"
 #include "base/sparse_array.h"
+#include "cut/max_flow.h"
 #include "cut/polyline.h"
 #include "geometry/paths.h"
 
@@ -21,6 +22,7 @@ struct Space {
   SparseArray<Index> place;         // of a face or a vertex in a list
   SparseArray<double> level;        // a vertex
   geometry::PathFinder paths;
+  MaxFlow flow;
 
   explicit Space(const Surface &s)
       : inside(s.faces(), 0),

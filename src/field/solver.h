@@ -42,7 +42,7 @@ class Solver {
   // Touches the vertex' path to the root of the tree only.
   Eigen::VectorXd measure(Index vertex) const;
 
-  std::size_t bytes() const;  // of what is kept for the clicks
+  std::size_t bytes() const;                                           // of what is kept for the clicks
   double elimination_ms() const { return factor_->elimination_ms(); }  // of making it, the numbers alone
 
  private:

@@ -53,7 +53,8 @@ double confidence(double inside, const Tooth &tooth) {
 
 void add_cuts(const Prepared &p, Tooth &tooth, cut::Space &space) {
   bool open = false;
-  for (cut::Polyline &line : cut::smooth_line(*p.surface, p.cotangent, p.options.smooth_radius, tooth.seeds, space)) {
+  for (cut::Polyline &line :
+       cut::smooth_line(*p.surface, p.length, p.cotangent, p.options.smooth_radius, tooth.seeds, space)) {
     open = open || !line.closed;
     tooth.loops.push_back({std::move(line), tooth.iso, 0, 0});
   }
@@ -161,8 +162,8 @@ Tooth extract_tooth(const Prepared &p, Fields &fields, const Selection &selectio
   cut::fill_holes(surface, hole, foreign, growth.beside(), inside);
   if (p.options.refine_band > 0) {
     cut::refine(
-        surface, phi, p.seam, [&](Index v) { return kind_for(p, group, v); }, {p.lengthened * p.options.refine_band},
-        *space);
+        surface, phi, p.length, p.price, [&](Index v) { return kind_for(p, group, v); },
+        {p.lengthened * p.options.refine_band}, *space);
     cut::keep_seeded(surface, tooth.seeds, inside);
     cut::fill_holes(surface, hole, foreign, cut::beside(surface, inside), inside);
   }

@@ -25,7 +25,8 @@ struct Prepared {
   Vec<double> concavity;     // a vertex, 1/mm
   double lengthened = 1;     // of paths, by noise
   double widened = 1;        // of areas, by noise
-  Vec<double> seam;          // an edge, 1/mm: where the min-cut likes to run
+  Vec<double> length;        // an edge, mm
+  Vec<double> price;         // an edge: of the min-cut that runs along it
   Vec<double> width;         // a group: of its stretch of the arch, mm; 0 if unknown
   Vec<Vec3> along;           // a group: unit vector along the arch; zero if unknown
   Vec<double> cotangent;     // an edge, for the smoothing of lines

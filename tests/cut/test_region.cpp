@@ -42,6 +42,12 @@ Vec<Index> disc(const mesh::Surface &s, double x, double y, double r) {
   return faces;
 }
 
+Vec<double> lengths(const mesh::Surface &s) {
+  Vec<double> length(s.edge.size());
+  for (Index e = 0; e < length.size(); ++e) length[e] = s.edge_length(e);
+  return length;
+}
+
 bool is_clean(const Space &s) {
   const auto all = [](const auto &a, auto clean) {
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -175,13 +181,13 @@ TEST_CASE("refinement moves the border into a seam nearby, not past seeds, and l
     c[v] = 4 * std::exp(-std::pow((r - 5) / 0.15, 2));  // a round seam at 5
     phi[v] = std::clamp((r - 4.3) / 3, -1.0, 1.0);
   }
-  const Vec<double> seam = seams(s, c, level);
+  const Vec<double> length = lengths(s), price = prices(length, seams(s, c, level));
   Space space(s);
   const auto refined = [&](double band, Index seed) {
     fill(s, space, in_disc(s, 8, 8, 4.3));
     refine(
-        s, [&](Index v) { return phi[v]; }, seam, [&](Index v) { return std::uint8_t(v == seed ? 2 : 0); }, {band},
-        space);
+        s, [&](Index v) { return phi[v]; }, length, price, [&](Index v) { return std::uint8_t(v == seed ? 2 : 0); },
+        {band}, space);
     CHECK(is_clean(space));
   };
   refined(1.5, mesh::none);
@@ -207,7 +213,7 @@ TEST_CASE(
   const Index seed = vertex_at(s, 8, 8);
   Space space(s);
   fill(s, space, in_disc(s, 8, 8, 4));
-  const Vec<Polyline> lines = smooth_line(s, cot, 0.3, {&seed, 1}, space);
+  const Vec<Polyline> lines = smooth_line(s, lengths(s), cot, 0.3, {&seed, 1}, space);
   CHECK(is_clean(space));
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].closed);
@@ -221,7 +227,7 @@ TEST_CASE(
     CHECK(edges.insert({p.a, p.b}).second);  // simple: no edge is crossed twice
   }
   CHECK(area == doctest::Approx(forms::pi * 16).epsilon(0.03));  // positive: counter-clockwise around the disc
-  CHECK(smooth_line(s, cot, 0, {&seed, 1}, space).size() == 1);
+  CHECK(smooth_line(s, lengths(s), cot, 0, {&seed, 1}, space).size() == 1);
 }
 
 TEST_CASE("islands without a seed have no line; a region at the border has an open one") {
@@ -230,12 +236,12 @@ TEST_CASE("islands without a seed have no line; a region at the border has an op
   Space space(s);
   fill(s, space, [&](Index f) { return in_disc(s, 5, 8, 3)(f) || in_disc(s, 13, 8, 1)(f); });
   Index seed = vertex_at(s, 5, 8);
-  const Vec<Polyline> one = smooth_line(s, cot, 0.2, {&seed, 1}, space);
+  const Vec<Polyline> one = smooth_line(s, lengths(s), cot, 0.2, {&seed, 1}, space);
   REQUIRE(one.size() == 1);
   for (const EdgePoint &p : one[0].points) CHECK(p.position.x() < 9);
   seed = vertex_at(s, 0, 8);
   fill(s, space, in_disc(s, 0, 8, 3));
-  const Vec<Polyline> open = smooth_line(s, cot, 0.2, {&seed, 1}, space);
+  const Vec<Polyline> open = smooth_line(s, lengths(s), cot, 0.2, {&seed, 1}, space);
   REQUIRE(open.size() == 1);
   CHECK(!open[0].closed);
   CHECK(std::abs(open[0].points.front().position.x()) < 1e-9);
