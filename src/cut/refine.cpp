@@ -13,8 +13,10 @@ namespace {
 constexpr double kSeamLeast = 0.02, kSeamScale = 0.5, kStay = 0.07;
 constexpr double kNever = 1e6;
 
-// Faces all of whose vertices are within `width` of the border of the region.
-Vec<Index> band_of(const Surface &s, std::span<const double> length, double width, Space &space) {
+// Faces all of whose vertices are within `width` of the border of the region. Their phi and 1 + kind are left in
+// space.level and space.marks.
+Vec<Index> band_of(const Surface &s, Values phi, Kinds fixed, std::span<const double> length, double width,
+                   Space &space) {
   const Mask &inside = space.inside;
   Vec<geometry::PathStart> border;
   for (const Index f : inside.touched()) {
@@ -28,13 +30,13 @@ Vec<Index> band_of(const Surface &s, std::span<const double> length, double widt
   Vec<Index> faces;
   for (const Index v : space.paths.within(
            border, [&](Index e) { return length[e]; }, width)) {
-    space.marks.set(v, 1);
+    space.marks.set(v, static_cast<std::uint8_t>(1 + fixed(v)));
+    space.level.set(v, phi(v));
     for (const Index f : s.vertex_faces[v]) {  // complete with its last corner
       const auto &t = s.triangle[f];
-      if (space.marks[t[0]] + space.marks[t[1]] + space.marks[t[2]] == 3) faces.push_back(f);
+      if (space.marks[t[0]] && space.marks[t[1]] && space.marks[t[2]]) faces.push_back(f);
     }
   }
-  space.marks.clear();
   return faces;
 }
 
@@ -59,18 +61,19 @@ Vec<double> prices(std::span<const double> length, std::span<const double> seam)
 void refine(const Surface &surface, Values phi, std::span<const double> length, std::span<const double> price,
             Kinds fixed, const RefineOptions &options, Space &space) {
   Mask &inside = space.inside;
-  const Vec<Index> band = band_of(surface, length, options.band, space);
+  const Vec<Index> band = band_of(surface, phi, fixed, length, options.band, space);
   for (Index i = 0; i < band.size(); ++i) space.place.set(band[i], i);
   MaxFlow &flow = space.flow;
   flow.reset(band.size());
   for (Index i = 0; i < band.size(); ++i) {
     const Index f = band[i];
     const auto &t = surface.triangle[f];
-    const double stay = kStay * std::abs(phi(t[0]) + phi(t[1]) + phi(t[2])) / 3 * surface.face_area[f];
+    const double sum = space.level[t[0]] + space.level[t[1]] + space.level[t[2]];
+    const double stay = kStay * std::abs(sum) / 3 * surface.face_area[f];
     double in = inside[f] ? stay : 0, out = inside[f] ? 0 : stay;
     if (!std::isfinite(stay)) in = 0, out = kNever;
     for (const Index v : t) {
-      const std::uint8_t kind = fixed(v);
+      const int kind = space.marks[v] - 1;
       if (kind == 1) in += kNever;
       if (kind == 2) out += kNever;
     }
@@ -88,6 +91,8 @@ void refine(const Surface &surface, Values phi, std::span<const double> length, 
     flow.add_terminals(i, in, out);
   }
   space.place.clear();
+  space.marks.clear();
+  space.level.clear();
   flow.solve();
   for (Index i = 0; i < band.size(); ++i) inside.set(band[i], flow.with_source(i));
 }

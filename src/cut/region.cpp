@@ -99,12 +99,30 @@ Vec<Index> fill_holes(const Surface &surface, double area, Kinds foreign, std::s
     }
     return enclosed;
   };
+  // What lies outside along a loop of the border hangs together over edges, around the vertices of the loop: none of it
+  // has to be looked at again.
+  const auto open_along = [&](Index face) {
+    for (Index k = 0; k < 3; ++k) {
+      const auto is_border = [&](Index h) {
+        return surface.twin[h] != mesh::none && inside[mesh::face_of(surface.twin[h])] == 1;
+      };
+      const Index first = 3 * face + k;
+      if (!is_border(first)) continue;
+      Index h = first;
+      do {
+        if (const Index f = mesh::face_of(h); inside[f] == 0) inside.set(f, kOpen), open.push_back(f);
+        for (h = mesh::next_in_face(h); h != mesh::none && !is_border(h);)
+          h = surface.twin[h] == mesh::none ? mesh::none : mesh::next_in_face(surface.twin[h]);
+      } while (h != mesh::none && h != first);  // none: a border of the scan
+    }
+  };
   for (const Index start : beside) {
     if (inside[start] != 0) continue;
     const bool enclosed = enclosed_set(start);
     for (const Index g : set) inside.set(g, enclosed ? 1 : kOpen);
     Vec<Index> &to = enclosed ? filled : open;
     to.insert(to.end(), set.begin(), set.end());
+    if (!enclosed) open_along(start);
   }
   for (const Index f : open) inside.set(f, 0);
   return filled;

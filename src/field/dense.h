@@ -11,6 +11,9 @@ struct DenseKernels {
   // Eliminates the first k of m unknowns: columns 0..k-1 become those of the Cholesky factor, the rest what the
   // elimination leaves of the matrix. False if a pivot is not positive.
   bool (*eliminate)(double *front, std::size_t ld, std::size_t m, std::size_t k);
+  // panel L^-1 in place: `rows` x k, rows a multiple of 8; L lower triangular, its diagonal as `inverse`.
+  void (*divide)(double *panel, std::size_t rows, std::size_t k, const double *l, std::size_t ld,
+                 const double *inverse);
   // t[j] = sum over i < rows of panel[i + j ld] x[i], for k columns; rows is a multiple of 8, all aligned.
   void (*dots)(const double *panel, std::size_t ld, std::size_t rows, std::size_t k, const double *x, double *t);
   const char *name;

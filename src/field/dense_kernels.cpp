@@ -90,8 +90,45 @@ bool eliminate(double *f, size_t ld, size_t m, size_t k) {
   return true;
 }
 
+// Columns [column, column + W) less what the later ones take of them, then through their own triangle.
+template <size_t W>
+inline __attribute__((always_inline)) void divide(double *panel, size_t rows, size_t column, size_t k, const double *l,
+                                                  size_t ld, const double *inverse) {
+  for (size_t i = 0; i < rows; i += 8) {
+    Eight c[W];
+    for (size_t q = 0; q < W; ++q) c[q] = at(panel + i + (column + q) * rows);
+    for (size_t p = column + W; p < k; ++p) {
+      const Eight x = at(panel + i + p * rows);
+      for (size_t q = 0; q < W; ++q) c[q] -= x * l[p + (column + q) * ld];
+    }
+    for (size_t q = W; q-- > 0;) {
+      for (size_t p = q + 1; p < W; ++p) c[q] -= c[p] * l[column + p + (column + q) * ld];
+      c[q] *= inverse[column + q];
+    }
+    for (size_t q = 0; q < W; ++q) at(panel + i + (column + q) * rows) = c[q];
+  }
+}
+
+void divide(double *panel, size_t rows, size_t k, const double *l, size_t ld, const double *inverse) {
+  size_t column = k;
+  for (; column >= 4; column -= 4) divide<4>(panel, rows, column - 4, k, l, ld, inverse);
+  while (column-- > 0) divide<1>(panel, rows, column, k, l, ld, inverse);
+}
+
 inline __attribute__((always_inline)) double sum(const Eight &s) {
   return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+}
+
+// The same sums of four at once, added up in the same order.
+inline __attribute__((always_inline)) void sums(const Eight *s, double *t) {
+  typedef double Four __attribute__((vector_size(32)));
+  Four h[4];
+  for (size_t q = 0; q < 4; ++q)
+    h[q] = __builtin_shufflevector(s[q], s[q], 0, 1, 2, 3) + __builtin_shufflevector(s[q], s[q], 4, 5, 6, 7);
+  const Four a = __builtin_shufflevector(h[0], h[1], 0, 1, 4, 5) + __builtin_shufflevector(h[0], h[1], 2, 3, 6, 7);
+  const Four b = __builtin_shufflevector(h[2], h[3], 0, 1, 4, 5) + __builtin_shufflevector(h[2], h[3], 2, 3, 6, 7);
+  const Four all = __builtin_shufflevector(a, b, 0, 2, 4, 6) + __builtin_shufflevector(a, b, 1, 3, 5, 7);
+  for (size_t q = 0; q < 4; ++q) t[q] = all[q];
 }
 
 void dots(const double *panel, size_t ld, size_t rows, size_t k, const double *x, double *t) {
@@ -103,7 +140,7 @@ void dots(const double *panel, size_t ld, size_t rows, size_t k, const double *x
       const Eight y = at(x + i);
       for (size_t q = 0; q < 4; ++q) s[q] += at(p + i + q * ld) * y;
     }
-    for (size_t q = 0; q < 4; ++q) t[j + q] = sum(s[q]);
+    sums(s, t + j);
   }
   for (; j < k; ++j) {
     const double *p = panel + j * ld;
@@ -118,6 +155,6 @@ void dots(const double *panel, size_t ld, size_t rows, size_t k, const double *x
 #define TS_TEXT2(x) #x
 #define TS_TEXT(x) TS_TEXT2(x)
 extern const DenseKernels kernels;
-const DenseKernels kernels = {eliminate, dots, TS_TEXT(TS_KERNELS)};
+const DenseKernels kernels = {eliminate, divide, dots, TS_TEXT(TS_KERNELS)};
 
 }  // namespace ts::field::TS_KERNELS

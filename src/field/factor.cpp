@@ -14,11 +14,14 @@ namespace {
 // chunks, so that all threads have work.
 constexpr Index kChunk = 6000;
 
+// Subtrees of at most this many unknowns are tiles, which are solved for together: of 64 to 512 this is quickest.
+constexpr Index kTile = 128;
+
 constexpr std::size_t padded(std::size_t n) {
   return (n + 7) / 8 * 8;
 }
 
-// Of a panel, what comes before the rows that it touches.
+// Of a panel, what is not of the rows that it touches.
 std::size_t own_doubles(std::size_t columns) {
   return padded(columns + columns * (columns - 1) / 2);
 }
@@ -92,6 +95,11 @@ void Factor::find_chunks() {
     chunk_.push_back({first, i + 1});
     first = i + 1;
   }
+  tile_of_.resize(parts_.size());
+  for (Index i = static_cast<Index>(parts_.size()); i-- > 0;) {
+    const Index up = parts_[i].parent;
+    tile_of_[i] = up != mesh::none && size(up) <= kTile ? tile_of_[up] : i;
+  }
   for (Index &c : chunk_of_)
     if (c == mesh::none) c = static_cast<Index>(chunk_.size());
   chunk_.emplace_back();
@@ -148,18 +156,24 @@ void Factor::find_rows(const Executor &executor) {
   rows_.start.push_back(static_cast<Index>(rows_.item.size()));
 }
 
+// A chunk begins with what a solution reads, in the order in which it does: parents first.
 void Factor::lay_out() {
   offset_.resize(parts_.size());
-  for (Index i = 0; i < parts_.size(); ++i) {
+  own_offset_.resize(parts_.size());
+  for (Index i = static_cast<Index>(parts_.size()); i-- > 0;) {
     Chunk &c = chunk_[chunk_of_[i]];
     offset_[i] = c.doubles;
-    c.doubles += panel_bytes(i) / sizeof(double);
+    c.doubles += touched_bytes(i) / sizeof(double);
+  }
+  for (Index i = static_cast<Index>(parts_.size()); i-- > 0;) {
+    Chunk &c = chunk_[chunk_of_[i]];
+    own_offset_[i] = c.doubles;
+    c.doubles += own_doubles(parts_[i].end - parts_[i].begin);
   }
 }
 
-std::size_t Factor::panel_bytes(Index part) const {
-  const std::size_t k = parts_[part].end - parts_[part].begin;
-  return sizeof(double) * (own_doubles(k) + k * padded(rows_[part].size()));
+std::size_t Factor::touched_bytes(Index part) const {
+  return sizeof(double) * (parts_[part].end - parts_[part].begin) * padded(rows_[part].size());
 }
 
 void Factor::keep(std::size_t most_bytes) {
@@ -182,17 +196,28 @@ void Factor::keep(std::size_t most_bytes) {
 }
 
 std::size_t Factor::bytes() const {
-  const std::size_t indices =
-      place_.size() + order_.size() + part_of_.size() + chunk_of_.size() + rows_.start.size() + rows_.item.size();
+  const std::size_t indices = place_.size() + order_.size() + part_of_.size() + chunk_of_.size() + tile_of_.size() +
+                              rows_.start.size() + rows_.item.size();
   return sizeof(double) * (kept_doubles_ + weight_.size()) + sizeof(Index) * indices + sizeof(Part) * parts_.size() +
-         sizeof(std::size_t) * offset_.size();
+         2 * sizeof(std::size_t) * offset_.size();
 }
 
 Factor::Panel Factor::panel(Index part, const Block &made) const {
   const Chunk &c = chunk_[chunk_of_[part]];
   const std::size_t k = parts_[part].end - parts_[part].begin;
-  const double *at = (c.panels ? c.panels : made.data()) + offset_[part];
-  return {at, at + k, at + own_doubles(k), k, padded(rows_[part].size())};
+  const double *at = c.panels ? c.panels : made.data(), *own = at + own_offset_[part];
+  return {own, own + k, at + offset_[part], k, padded(rows_[part].size())};
+}
+
+void Factor::prefetch(Index part) const {
+#if defined(__GNUC__)
+  const double *const panels = chunk_[chunk_of_[part]].panels;
+  if (!panels) return;
+  const std::size_t doubles = touched_bytes(part) / sizeof(double);
+  for (std::size_t i = 0; i < doubles; i += 8) __builtin_prefetch(panels + offset_[part] + i);
+#else
+  static_cast<void>(part);
+#endif
 }
 
 Block Factor::make(Index chunk) const {
@@ -241,7 +266,7 @@ Vec<double> Factor::eliminate_above(Index part, Vec<Vec<double>> &updates, Pool<
   progress(0.75);
   const auto s = spaces.take([&] { return std::make_unique<Space>(most_unknowns_); });
   const auto of = [&](Index child) { return child == mesh::none ? nullptr : updates[child].data(); };
-  eliminate(part, of(p.children[0]), of(p.children[1]), chunk_.back().panels + offset_[part], *s);
+  eliminate(part, of(p.children[0]), of(p.children[1]), chunk_.back().panels, *s);
   for (const Index child : p.children)
     if (child != mesh::none) updates[child] = {};
   const std::size_t r = rows_[part].size(), k = p.end - p.begin;
@@ -260,7 +285,7 @@ void Factor::eliminate_chunk(Index chunk, double *panels, Space &s) const {
         top -= packed(rows_[p.children[k]].size());
         of[k] = s.stack.data() + top;
       }
-    eliminate(i, of[0], of[1], panels + offset_[i], s);
+    eliminate(i, of[0], of[1], panels, s);
     const std::size_t r = rows_[i].size(), k = p.end - p.begin;
     if (s.stack.size() < top + packed(r)) s.stack.resize(std::max(2 * s.stack.size(), top + packed(r)));
     s.pack(k + r, k, s.stack.data() + top);
@@ -269,7 +294,7 @@ void Factor::eliminate_chunk(Index chunk, double *panels, Space &s) const {
 }
 
 // One part: its rows of the matrix and the updates of its children, added up and eliminated.
-void Factor::eliminate(Index part, const double *left, const double *right, double *panel, Space &s) const {
+void Factor::eliminate(Index part, const double *left, const double *right, double *panels, Space &s) const {
   const Part &p = parts_[part];
   const std::span<const Index> rows = rows_[part];
   const std::size_t k = p.end - p.begin, r = rows.size(), m = k + r;
@@ -311,13 +336,16 @@ void Factor::eliminate(Index part, const double *left, const double *right, doub
   if (!dense_kernels().eliminate(front, ld, m, k))
     throw Error(Fault::solver, "the Laplacian could not be factorised: weights not positive");
 
-  for (std::size_t j = 0; j < k; ++j) *panel++ = 1 / front[j * ld + j];
-  for (std::size_t j = 0; j < k; ++j) panel = std::copy_n(front + j * ld + j + 1, k - j - 1, panel);
-  panel = std::fill_n(panel, own_doubles(k) - k - k * (k - 1) / 2, 0.0);
+  double *const inverse = panels + own_offset_[part], *const touched = panels + offset_[part];
+  double *out = inverse;
+  for (std::size_t j = 0; j < k; ++j) *out++ = 1 / front[j * ld + j];
+  for (std::size_t j = 0; j < k; ++j) out = std::copy_n(front + j * ld + j + 1, k - j - 1, out);
+  out = touched;
   for (std::size_t j = 0; j < k; ++j) {
-    panel = std::copy_n(front + j * ld + k, r, panel);
-    panel = std::fill_n(panel, padded(r) - r, 0.0);
+    out = std::copy_n(front + j * ld + k, r, out);
+    out = std::fill_n(out, padded(r) - r, 0.0);
   }
+  dense_kernels().divide(touched, padded(r), k, front, ld, inverse);
 }
 
 }  // namespace ts::field

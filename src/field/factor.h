@@ -50,11 +50,14 @@ class Factor {
   const Eigen::MatrixXd &corner() const { return corner_; }
 
   const Vec<Part> &parts() const { return parts_; }
+  // The root of the subtree of at most some hundred unknowns that a part lies in; of parts above those themselves.
+  Index tile_of(Index part) const { return tile_of_[part]; }
   Index part_of(Index place) const { return part_of_[place]; }
   std::span<const Index> rows(Index part) const { return rows_[part]; }  // places after the part's that it touches
 
-  // A part's columns: 1 / l_jj for each; the rows below the diagonal of its own, packed column by column; and, for the
-  // rows it touches, columns of `stride` values, the last ones zero.
+  // A part's columns of the factor: 1 / l_jj for each; the rows below the diagonal of its own (L11), packed column by
+  // column; and, for the rows it touches (L21), L21 L11^-1, columns of `stride` values, the last ones zero: so that the
+  // values of a part are those of its rows times a matrix, x = -(L21 L11^-1)^T x_rows.
   struct Panel {
     const double *inverse, *own, *touched;
     std::size_t columns, stride;
@@ -68,7 +71,8 @@ class Factor {
   bool kept(Index chunk) const { return chunk_[chunk].panels != nullptr; }
   Block make(Index chunk) const;                     // of one that is not kept
   Panel panel(Index part, const Block &made) const;  // `made`: its chunk if that is not kept
-  std::size_t panel_bytes(Index part) const;
+  void prefetch(Index part) const;                   // the matrix that a solution reads, if it is kept
+  std::size_t touched_bytes(Index part) const;       // of the matrix that a solution reads
 
   std::size_t most_rows() const { return most_rows_; }
   std::size_t bytes() const;  // of all that is kept
@@ -90,7 +94,7 @@ class Factor {
   Vec<double> eliminate_above(Index part, Vec<Vec<double>> &updates, Pool<Space> &spaces, const Executor &executor,
                               const Progress &progress) const;
   void eliminate_chunk(Index chunk, double *panels, Space &space) const;
-  void eliminate(Index part, const double *left, const double *right, double *panel, Space &space) const;
+  void eliminate(Index part, const double *left, const double *right, double *panels, Space &space) const;
 
   const mesh::Surface *surface_;
   Vec<double> weight_;  // an edge
@@ -98,9 +102,9 @@ class Factor {
   Vec<Index> order_;  // of elimination
   Vec<Index> place_;  // a vertex
   Vec<Part> parts_;
-  Vec<Index> part_of_, chunk_of_;
+  Vec<Index> part_of_, chunk_of_, tile_of_;
   mesh::Rows rows_;
-  Vec<std::size_t> offset_;  // a part: in its chunk
+  Vec<std::size_t> offset_, own_offset_;  // a part: in its chunk
   Vec<Chunk> chunk_;
   Block kept_;
   std::size_t kept_doubles_ = 0;

@@ -34,20 +34,27 @@ Solution::Solution(const Factor &factor, Pool<Space> &pool, std::span<const doub
   std::copy(at_nodes.begin(), at_nodes.end(), space_->x.begin() + factor.interior());
 }
 
+// With a part all others of its tile: what is asked of next lies beside it, and the panels of a tile lie in one piece.
 void Solution::evaluate(Index part) {
   const auto begin = std::chrono::steady_clock::now();
   Space &s = *space_;
+  const Index tile = factor_->tile_of(part);
   const std::size_t before = s.parts.size();
-  for (Index p = part; p != mesh::none && !s.done[p]; p = factor_->parts()[p].parent) {
-    s.done[p] = 1;
-    s.parts.push_back(p);
+  for (Index p = tile; p != mesh::none && !s.done[p]; p = factor_->parts()[p].parent) s.parts.push_back(p);
+  std::reverse(s.parts.begin() + static_cast<std::ptrdiff_t>(before), s.parts.end());
+  for (Index p = tile; p-- > 0 && factor_->tile_of(p) == tile;) s.parts.push_back(p);  // below its root, parents first
+  // A part waits for the values of those above it, and would wait for its own panel after that.
+  constexpr std::size_t kAhead = 4;
+  for (std::size_t i = before; i < std::min(before + kAhead, s.parts.size()); ++i) factor_->prefetch(s.parts[i]);
+  for (std::size_t i = before; i < s.parts.size(); ++i) {
+    if (i + kAhead < s.parts.size()) factor_->prefetch(s.parts[i + kAhead]);
+    substitute(s.parts[i]);
   }
-  for (std::size_t i = s.parts.size(); i-- > before;) substitute(s.parts[i]);
   milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 void Solution::evaluate_all() {
-  for (Index i = 0; i < factor_->parts().size(); ++i)
+  for (Index i = static_cast<Index>(factor_->parts().size()); i-- > 0;)
     if (!space_->done[i]) evaluate(i);
 }
 
@@ -64,14 +71,19 @@ void Solution::substitute(Index part) {
   const std::size_t k = panel.columns;
   double *const t = s.sums.data(), *const x = s.x.data() + p.begin;
   dense_kernels().dots(panel.touched, panel.stride, panel.stride, k, s.gathered.data(), t);
+  for (std::size_t j = 0; j < k; ++j) x[j] = -t[j];
+  bytes_ += factor_->touched_bytes(part) + rows.size_bytes();
+  s.done[part] = 1;
+  if (source_.part.empty()) return;
   const std::span<const double> source = source_[part];
-  for (std::size_t j = k; j-- > 0;) {
-    double sum = (source.empty() ? 0 : source[j]) - t[j];
+  if (source.empty()) return;
+  for (std::size_t j = k; j-- > 0;) {  // L11^T t = source
+    t[j] = source[j];
     const double *below = panel.below(j);
-    for (std::size_t i = j + 1; i < k; ++i) sum -= below[i - j - 1] * x[i];
-    x[j] = sum * panel.inverse[j];
+    for (std::size_t i = j + 1; i < k; ++i) t[j] -= below[i - j - 1] * t[i];
+    t[j] *= panel.inverse[j];
+    x[j] += t[j];
   }
-  bytes_ += factor_->panel_bytes(part);
 }
 
 }  // namespace ts::field

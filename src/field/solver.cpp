@@ -119,8 +119,7 @@ Eigen::VectorXd Solver::measure(Index vertex) const {
     share[place - f.interior()] = 1;
     return share;
   }
-  // L y = e_v along the way to the root; the shares are -L21 y. `left` holds what is still to be eliminated: by the
-  // rows of the part that comes next.
+  // What is put into the vertex goes to the root: a part passes b on to its rows as -L21 L11^-1 b.
   Vec<double> at_rows, next;
   std::span<const Index> rows;
   Block made;
@@ -141,8 +140,6 @@ Eigen::VectorXd Solver::measure(Index vertex) const {
       next[to] = at_rows[i];
     }
     for (std::size_t j = 0; j < panel.columns; ++j) {
-      y[j] *= panel.inverse[j];
-      for (std::size_t i = j + 1; i < panel.columns; ++i) y[i] -= panel.below(j)[i - j - 1] * y[j];
       for (std::size_t i = 0; i < below.size(); ++i) next[i] -= panel.touched[j * panel.stride + i] * y[j];
     }
     at_rows.swap(next);
