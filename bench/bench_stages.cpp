@@ -92,6 +92,12 @@ void measure_batches(const Mesh &mesh, Pipeline standard, const Effort &effort, 
       forget_clicks(*p);
       times[p == &two].add(ms_of([&] { failed = click_all(*p, points); }));
     }
+  // The bound is that of one core: so is the field that it is compared with.
+  Clicks alone;
+  std::vector<uint32_t> labels(mesh.faces());
+  for (std::uint64_t seed = 1; seed <= effort.rounds; ++seed) click_round(one, seed, labels, alone);
+  figures.set("field_1t", alone.field.median());
+  figures.set("click_1t", alone.whole.median());
   figures.set("batch_clicks", static_cast<double>(points.size()));
   figures.set("batch_failed", failed);
   figures.set("batch_1t", times[0].median());

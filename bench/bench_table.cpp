@@ -68,6 +68,8 @@ void print_result(const Result &result) {
               {"  cut", "cut", 1, "ms"},
               {"  label", "label", 1, "ms"},
               {"  labels of all faces", "labels", 1, "ms"},
+              {"click with 1 thread", "click_1t", 1, "ms"},
+              {"  field with 1 thread", "field_1t", 1, "ms"},
               {"clicks timed", "clicks", 1, ""},
               {"clicks refused", "clicks_failed", 1, ""},
               {"all clicks of the arch together, 1 thread", "batch_1t", 1, "ms"},

@@ -56,7 +56,7 @@ std::vector<Target> targets_of(const std::vector<Result> &results) {
       {"click_vs_a", ratio("click", "a", at), 1.0 / 60},
       {"click_vs_b", ratio("click", "b", at), 1.0 / 25},
       {"click_ms", figure(results, at, "click"), 16},
-      {"field_vs_bound", ratio("field", "bound", at), 2},
+      {"field_vs_bound", ratio("field_1t", "bound", at), 2},
       {"batch_2t_vs_1t", ratio("batch_2t", "batch_1t", at), 0.6},
   };
   for (const char *threads : {"1t", "2t"}) {

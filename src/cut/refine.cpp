@@ -94,7 +94,8 @@ void refine(const Surface &surface, Values phi, std::span<const double> length, 
   space.marks.clear();
   space.level.clear();
   flow.solve();
-  for (Index i = 0; i < band.size(); ++i) inside.set(band[i], flow.with_source(i));
+  for (Index i = 0; i < band.size(); ++i)
+    if (const bool in = flow.with_source(i); in != (inside[band[i]] != 0)) inside.set(band[i], in);
 }
 
 }  // namespace ts::cut

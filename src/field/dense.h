@@ -14,8 +14,8 @@ struct DenseKernels {
   // panel L^-1 in place: `rows` x k, rows a multiple of 8; L lower triangular, its diagonal as `inverse`.
   void (*divide)(double *panel, std::size_t rows, std::size_t k, const double *l, std::size_t ld,
                  const double *inverse);
-  // t[j] = sum over i < rows of panel[i + j ld] x[i], for k columns; rows is a multiple of 8, all aligned.
-  void (*dots)(const double *panel, std::size_t ld, std::size_t rows, std::size_t k, const double *x, double *t);
+  // t[j] = - sum over i < rows of panel[i + j rows] x[i], for k columns; rows is a multiple of 8, panel and x aligned.
+  void (*minus_dots)(const double *panel, std::size_t rows, std::size_t k, const double *x, double *t);
   const char *name;
 };
 

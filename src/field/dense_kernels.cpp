@@ -131,21 +131,21 @@ inline __attribute__((always_inline)) void sums(const Eight *s, double *t) {
   for (size_t q = 0; q < 4; ++q) t[q] = all[q];
 }
 
-void dots(const double *panel, size_t ld, size_t rows, size_t k, const double *x, double *t) {
+void minus_dots(const double *panel, size_t rows, size_t k, const double *x, double *t) {
   size_t j = 0;
   for (; j + 4 <= k; j += 4) {
-    const double *p = panel + j * ld;
+    const double *p = panel + j * rows;
     Eight s[4] = {};
     for (size_t i = 0; i < rows; i += 8) {
       const Eight y = at(x + i);
-      for (size_t q = 0; q < 4; ++q) s[q] += at(p + i + q * ld) * y;
+      for (size_t q = 0; q < 4; ++q) s[q] -= at(p + i + q * rows) * y;
     }
     sums(s, t + j);
   }
   for (; j < k; ++j) {
-    const double *p = panel + j * ld;
+    const double *p = panel + j * rows;
     Eight s = {};
-    for (size_t i = 0; i < rows; i += 8) s += at(p + i) * at(x + i);
+    for (size_t i = 0; i < rows; i += 8) s -= at(p + i) * at(x + i);
     t[j] = sum(s);
   }
 }
@@ -155,6 +155,6 @@ void dots(const double *panel, size_t ld, size_t rows, size_t k, const double *x
 #define TS_TEXT2(x) #x
 #define TS_TEXT(x) TS_TEXT2(x)
 extern const DenseKernels kernels;
-const DenseKernels kernels = {eliminate, divide, dots, TS_TEXT(TS_KERNELS)};
+const DenseKernels kernels = {eliminate, divide, minus_dots, TS_TEXT(TS_KERNELS)};
 
 }  // namespace ts::field::TS_KERNELS

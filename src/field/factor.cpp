@@ -14,8 +14,8 @@ namespace {
 // chunks, so that all threads have work.
 constexpr Index kChunk = 6000;
 
-// Subtrees of at most this many unknowns are tiles, which are solved for together: of 64 to 512 this is quickest.
-constexpr Index kTile = 128;
+// Subtrees of at most this many unknowns are tiles, which are solved for together: of 64 to 512 this is the quickest.
+constexpr Index kTile = 256;
 
 constexpr std::size_t padded(std::size_t n) {
   return (n + 7) / 8 * 8;
@@ -73,6 +73,7 @@ Factor::Factor(Laplacian laplacian, Dissection dissection, std::span<const Index
   find_rows(executor);
   lay_out();
   keep(most_bytes);
+  make_steps();
   progress(0.2);
   const auto begin = std::chrono::steady_clock::now();
   eliminate_all(executor, progress.part(0.2, 1, "factorisation"));
@@ -163,7 +164,7 @@ void Factor::lay_out() {
   for (Index i = static_cast<Index>(parts_.size()); i-- > 0;) {
     Chunk &c = chunk_[chunk_of_[i]];
     offset_[i] = c.doubles;
-    c.doubles += touched_bytes(i) / sizeof(double);
+    c.doubles += touched_doubles(i);
   }
   for (Index i = static_cast<Index>(parts_.size()); i-- > 0;) {
     Chunk &c = chunk_[chunk_of_[i]];
@@ -172,8 +173,22 @@ void Factor::lay_out() {
   }
 }
 
-std::size_t Factor::touched_bytes(Index part) const {
-  return sizeof(double) * (parts_[part].end - parts_[part].begin) * padded(rows_[part].size());
+std::size_t Factor::touched_doubles(Index part) const {
+  return (parts_[part].end - parts_[part].begin) * padded(rows_[part].size());
+}
+
+void Factor::make_steps() {
+  step_.resize(parts_.size());
+  for (Index i = 0; i < parts_.size(); ++i) {
+    const double *const panels = chunk_[chunk_of_[i]].panels;
+    const std::span<const Index> rows = rows_[i];
+    step_[i] = {panels ? panels + offset_[i] : nullptr,
+                rows.data(),
+                parts_[i].begin,
+                parts_[i].end - parts_[i].begin,
+                static_cast<Index>(rows.size()),
+                static_cast<Index>(padded(rows.size()))};
+  }
 }
 
 void Factor::keep(std::size_t most_bytes) {
@@ -198,8 +213,8 @@ void Factor::keep(std::size_t most_bytes) {
 std::size_t Factor::bytes() const {
   const std::size_t indices = place_.size() + order_.size() + part_of_.size() + chunk_of_.size() + tile_of_.size() +
                               rows_.start.size() + rows_.item.size();
-  return sizeof(double) * (kept_doubles_ + weight_.size()) + sizeof(Index) * indices + sizeof(Part) * parts_.size() +
-         2 * sizeof(std::size_t) * offset_.size();
+  return sizeof(double) * (kept_doubles_ + weight_.size()) + sizeof(Index) * indices +
+         (sizeof(Part) + sizeof(Step)) * parts_.size() + 2 * sizeof(std::size_t) * offset_.size();
 }
 
 Factor::Panel Factor::panel(Index part, const Block &made) const {
@@ -207,17 +222,6 @@ Factor::Panel Factor::panel(Index part, const Block &made) const {
   const std::size_t k = parts_[part].end - parts_[part].begin;
   const double *at = c.panels ? c.panels : made.data(), *own = at + own_offset_[part];
   return {own, own + k, at + offset_[part], k, padded(rows_[part].size())};
-}
-
-void Factor::prefetch(Index part) const {
-#if defined(__GNUC__)
-  const double *const panels = chunk_[chunk_of_[part]].panels;
-  if (!panels) return;
-  const std::size_t doubles = touched_bytes(part) / sizeof(double);
-  for (std::size_t i = 0; i < doubles; i += 8) __builtin_prefetch(panels + offset_[part] + i);
-#else
-  static_cast<void>(part);
-#endif
 }
 
 Block Factor::make(Index chunk) const {

@@ -71,8 +71,16 @@ class Factor {
   bool kept(Index chunk) const { return chunk_[chunk].panels != nullptr; }
   Block make(Index chunk) const;                     // of one that is not kept
   Panel panel(Index part, const Block &made) const;  // `made`: its chunk if that is not kept
-  void prefetch(Index part) const;                   // the matrix that a solution reads, if it is kept
-  std::size_t touched_bytes(Index part) const;       // of the matrix that a solution reads
+  // What a solution reads of a part, in one place: the matrix (nullptr if it is not kept), the columns' places and the
+  // rows'.
+  struct Step {
+    const double *touched = nullptr;
+    const Index *rows = nullptr;
+    Index begin = 0, columns = 0, count = 0, stride = 0;
+
+    std::size_t bytes() const { return sizeof(double) * columns * stride + sizeof(Index) * count; }
+  };
+  const Step &step(Index part) const { return step_[part]; }
 
   std::size_t most_rows() const { return most_rows_; }
   std::size_t bytes() const;  // of all that is kept
@@ -90,6 +98,8 @@ class Factor {
   void find_rows(const Executor &executor);
   void lay_out();
   void keep(std::size_t most_bytes);
+  void make_steps();
+  std::size_t touched_doubles(Index part) const;
   void eliminate_all(const Executor &executor, const Progress &progress);
   Vec<double> eliminate_above(Index part, Vec<Vec<double>> &updates, Pool<Space> &spaces, const Executor &executor,
                               const Progress &progress) const;
@@ -106,6 +116,7 @@ class Factor {
   mesh::Rows rows_;
   Vec<std::size_t> offset_, own_offset_;  // a part: in its chunk
   Vec<Chunk> chunk_;
+  Vec<Step> step_;
   Block kept_;
   std::size_t kept_doubles_ = 0;
   std::size_t most_rows_ = 0, most_unknowns_ = 0;  // of a part: that it touches; its own with them

@@ -6,6 +6,19 @@
 #include "field/dense.h"
 
 namespace ts::field {
+namespace {
+
+void prefetch(const Factor::Step &step) {
+#if defined(__GNUC__)
+  if (!step.touched) return;
+  const std::size_t doubles = std::size_t{step.columns} * step.stride;
+  for (std::size_t i = 0; i < doubles; i += 8) __builtin_prefetch(step.touched + i);
+#else
+  static_cast<void>(step);
+#endif
+}
+
+}  // namespace
 
 Solution::Space::Space(const Factor &f)
     : x(std::size_t{f.interior()} + f.nodes(), std::bit_cast<double>(kUnset)),
@@ -45,9 +58,9 @@ void Solution::evaluate(Index part) {
   for (Index p = tile; p-- > 0 && factor_->tile_of(p) == tile;) s.parts.push_back(p);  // below its root, parents first
   // A part waits for the values of those above it, and would wait for its own panel after that.
   constexpr std::size_t kAhead = 4;
-  for (std::size_t i = before; i < std::min(before + kAhead, s.parts.size()); ++i) factor_->prefetch(s.parts[i]);
+  for (std::size_t i = before; i < std::min(before + kAhead, s.parts.size()); ++i) prefetch(factor_->step(s.parts[i]));
   for (std::size_t i = before; i < s.parts.size(); ++i) {
-    if (i + kAhead < s.parts.size()) factor_->prefetch(s.parts[i + kAhead]);
+    if (i + kAhead < s.parts.size()) prefetch(factor_->step(s.parts[i + kAhead]));
     substitute(s.parts[i]);
   }
   milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
@@ -58,29 +71,35 @@ void Solution::evaluate_all() {
     if (!space_->done[i]) evaluate(i);
 }
 
-// L11^T x = source - L21^T x_rows.
+// x = -(L21 L11^-1)^T x_rows, and L11^-T of the source.
 void Solution::substitute(Index part) {
   Space &s = *space_;
-  const Part &p = factor_->parts()[part];
-  const Index chunk = factor_->chunk_of(part);
-  if (!factor_->kept(chunk) && !s.made[chunk]) s.made[chunk] = factor_->make(chunk);
-  const Factor::Panel panel = factor_->panel(part, s.made[chunk]);
-  const std::span<const Index> rows = factor_->rows(part);
-  for (std::size_t i = 0; i < rows.size(); ++i) s.gathered[i] = s.x[rows[i]];
-  for (std::size_t i = rows.size(); i < panel.stride; ++i) s.gathered[i] = 0;
-  const std::size_t k = panel.columns;
-  double *const t = s.sums.data(), *const x = s.x.data() + p.begin;
-  dense_kernels().dots(panel.touched, panel.stride, panel.stride, k, s.gathered.data(), t);
-  for (std::size_t j = 0; j < k; ++j) x[j] = -t[j];
-  bytes_ += factor_->touched_bytes(part) + rows.size_bytes();
+  const Factor::Step &step = factor_->step(part);
+  const double *touched = step.touched;
+  if (!touched) {
+    Block &made = s.made[factor_->chunk_of(part)];
+    if (!made) made = factor_->make(factor_->chunk_of(part));
+    touched = factor_->panel(part, made).touched;
+  }
+  double *const gathered = s.gathered.data(), *const x = s.x.data();
+  for (Index i = 0; i < step.count; ++i) gathered[i] = x[step.rows[i]];
+  for (Index i = step.count; i < step.stride; ++i) gathered[i] = 0;
+  dense_kernels().minus_dots(touched, step.stride, step.columns, gathered, x + step.begin);
+  bytes_ += step.bytes();
   s.done[part] = 1;
-  if (source_.part.empty()) return;
+  if (!source_.part.empty()) add_source(part);
+}
+
+void Solution::add_source(Index part) {
   const std::span<const double> source = source_[part];
   if (source.empty()) return;
-  for (std::size_t j = k; j-- > 0;) {  // L11^T t = source
+  Space &s = *space_;
+  const Factor::Panel panel = factor_->panel(part, s.made[factor_->chunk_of(part)]);
+  double *const x = s.x.data() + factor_->parts()[part].begin, *const t = s.sums.data();
+  for (std::size_t j = panel.columns; j-- > 0;) {  // L11^T t = source
     t[j] = source[j];
     const double *below = panel.below(j);
-    for (std::size_t i = j + 1; i < k; ++i) t[j] -= below[i - j - 1] * t[i];
+    for (std::size_t i = j + 1; i < panel.columns; ++i) t[j] -= below[i - j - 1] * t[i];
     t[j] *= panel.inverse[j];
     x[j] += t[j];
   }

@@ -63,6 +63,7 @@ class Solution {
 
   void evaluate(Index part);
   void substitute(Index part);
+  void add_source(Index part);
 
   const Factor *factor_;
   Pool<Space>::Lease space_;

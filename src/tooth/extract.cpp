@@ -83,7 +83,8 @@ std::size_t Fields::bytes() const {
 }
 
 double Fields::milliseconds() const {
-  return target_.milliseconds() + (neighbour_ ? neighbour_->milliseconds() : 0);
+  const double target = target_.milliseconds(), neighbour = neighbour_ ? neighbour_->milliseconds() : 0;
+  return prepared_.executor->threads() > 1 ? std::max(target, neighbour) : target + neighbour;
 }
 
 bool own_field_decides(const Options &o) {

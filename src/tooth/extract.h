@@ -22,7 +22,7 @@ class Fields {
   Vec<double> all_of_u();
 
   std::size_t bytes() const;    // of the factor read so far
-  double milliseconds() const;  // spent on it
+  double milliseconds() const;  // that took: of the slower of the two where there are threads for both
 
  private:
   const Prepared &prepared_;

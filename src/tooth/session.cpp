@@ -33,6 +33,10 @@ Vec<Index> Session::teeth() const {
   return groups;
 }
 
+const Session::Entry &Session::entry_of(Index group) const {
+  return *std::ranges::lower_bound(entries_, group, {}, &Entry::group);
+}
+
 const Tooth *Session::tooth(Index group) const {
   for (const Entry &e : entries_)
     if (e.group == group) return e.tooth.get();
@@ -55,12 +59,11 @@ Vec<std::uint32_t> Session::labels() const {
     for (const Index v : e.tooth->seeds) least = std::min(least, (s.position[v] - centre).squaredNorm());
     return least;
   };
-  Vec<Index> owner(s.faces(), mesh::none);  // place in entries_
-  for (Index i = 0; i < entries_.size(); ++i)
-    for (const Index f : entries_[i].tooth->faces) {
-      if (owner[f] != mesh::none && !(distance(entries_[i], f) < distance(entries_[owner[f]], f))) continue;
-      owner[f] = i;
-      label[f] = entries_[i].group + 1;
+  for (const Entry &e : entries_)
+    for (const Index f : e.tooth->faces) {
+      std::uint32_t &l = label[f];
+      if (l != 0 && !(distance(e, f) < distance(entry_of(l - 1), f))) continue;
+      l = e.group + 1;
     }
   return label;
 }

@@ -26,6 +26,8 @@ class Session {
     Index group, click;
     std::shared_ptr<const Tooth> tooth;  // shared by the sessions before and after a click
   };
+  const Entry &entry_of(Index group) const;  // of one that is there
+
   const mesh::Surface *surface_;
   Vec<Click> clicks_;
   Vec<Entry> entries_;  // by group
