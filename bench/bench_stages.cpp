@@ -95,7 +95,8 @@ void measure_batches(const Mesh &mesh, Pipeline standard, const Effort &effort, 
   // The bound is that of one core: so is the field that it is compared with.
   Clicks alone;
   std::vector<uint32_t> labels(mesh.faces());
-  for (std::uint64_t seed = 1; seed <= effort.rounds; ++seed) click_round(one, seed, labels, alone);
+  for (int round = 1; round <= effort.rounds; ++round)
+    click_round(one, static_cast<std::uint64_t>(round), labels, alone);
   figures.set("field_1t", alone.field.median());
   figures.set("click_1t", alone.whole.median());
   figures.set("batch_clicks", static_cast<double>(points.size()));
