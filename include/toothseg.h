@@ -85,7 +85,7 @@ typedef enum ts_status {
   TS_E_MISMATCH = 105,         /**< objects that do not belong together (features of another model) */
 
   /* 200: the surroundings */
-  TS_E_OUT_OF_MEMORY = 200, /**< an allocation failed */
+  TS_E_OUT_OF_MEMORY = 200, /**< an allocation failed, or memory_limit is too small for any way of work */
   TS_E_CANCELLED = 201,     /**< the job was cancelled, by ts_job_cancel or its callback */
   TS_E_INTERNAL = 202,      /**< a fault in the library: please report the message */
 
@@ -473,6 +473,9 @@ typedef struct ts_segment_options {
   double click_reach;          /**< a click further from the surface than this is off it, mm. 2 / 2 */
   double click_concavity;      /**< geodesic cost |e| (1 + this * concavity) from click to points. 60 / 0 */
   uint32_t reject_outliers;    /**< 1 = free feature points that contradict the field. 1 / 0 */
+  uint64_t memory_limit;       /**< bytes that the segmentation may keep beside the model, clicks' results and work space
+                                    left out (ts_get_memory); 0 = no limit. What does not fit of the factor is worked out
+                                    again by each click that needs it: slower, the same bytes. 0 / 0 */
 } ts_segment_options;
 
 TS_API TS_NODISCARD ts_status ts_segment_options_init(ts_segment_options *options, uint32_t struct_size, ts_preset preset);
@@ -641,6 +644,20 @@ typedef struct ts_prepare_times {
 } ts_prepare_times;
 
 TS_API TS_NODISCARD ts_status ts_get_prepare_times(const ts_segmentation *segmentation, ts_prepare_times *times);
+
+/** Bytes that are kept. Most of them come from the context's allocator. */
+typedef struct ts_memory_info {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t model;        /**< of the model, which segmentations share */
+  uint64_t segmentation; /**< of what a segmentation keeps beside it, the factor included: what memory_limit bounds */
+  uint64_t factor;       /**< of the factor, as far as it is kept */
+  uint64_t factor_whole; /**< of the factor if all of it were */
+  uint64_t click;        /**< of the work space of one tooth; as many are kept as teeth were cut at the same time */
+} ts_memory_info;
+
+/** Errors: TS_E_NULL, TS_E_STRUCT_SIZE. */
+TS_API TS_NODISCARD ts_status ts_get_memory(const ts_segmentation *segmentation, ts_memory_info *info);
 
 #ifdef __cplusplus
 }

@@ -424,6 +424,9 @@ class Segmentation {
   std::vector<Index> labels() const {
     return detail::elements<Index>([&](auto... a) { return ts_get_labels(get(), a...); });
   }
+  ts_memory_info memory() const {
+    return detail::info<ts_memory_info>([&](auto *m) { return ts_get_memory(get(), m); });
+  }
   ts_prepare_times prepare_times() const {
     return detail::info<ts_prepare_times>([&](auto *t) { return ts_get_prepare_times(get(), t); });
   }

@@ -7,7 +7,7 @@
 
 #include "complain.h"
 
-typedef enum kind { COUNT, NUMBER } kind;
+typedef enum kind { COUNT, NUMBER, BYTES } kind;
 
 static const struct {
   const char *name;
@@ -38,6 +38,7 @@ static const struct {
     FIELD(NUMBER, click_reach),
     FIELD(NUMBER, click_concavity),
     FIELD(COUNT, reject_outliers),
+    FIELD(BYTES, memory_limit),
 #undef FIELD
 };
 
@@ -54,10 +55,15 @@ int settings_apply(const char *text, ts_segment_options *options) {
     if (end == equals + 1 || *end != '\0') return complain("--set %s: not a number", text);
     if (fields[i].what == COUNT && !(value >= 0 && value <= 1e9 && value == (double)(uint32_t)value))
       return complain("--set %s: not a whole number from 0", text);
+    if (fields[i].what == BYTES && !(value >= 0 && value <= 9e15 && value == (double)(uint64_t)value))
+      return complain("--set %s: not a whole number from 0", text);
     if (options == NULL) return 1;
     if (fields[i].what == COUNT) {
       const uint32_t count = (uint32_t)value;
       memcpy((char *)options + fields[i].at, &count, sizeof count);
+    } else if (fields[i].what == BYTES) {
+      const uint64_t bytes = (uint64_t)value;
+      memcpy((char *)options + fields[i].at, &bytes, sizeof bytes);
     } else {
       memcpy((char *)options + fields[i].at, &value, sizeof value);
     }

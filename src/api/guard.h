@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <exception>
 #include <initializer_list>
@@ -57,6 +58,11 @@ struct Released {
 template <>
 struct Released<ts_features_info> {
   static constexpr uint32_t sizes[] = {16, sizeof(ts_features_info)};  // without the warnings
+};
+
+template <>
+struct Released<ts_segment_options> {
+  static constexpr uint32_t sizes[] = {offsetof(ts_segment_options, memory_limit), sizeof(ts_segment_options)};
 };
 
 template <class T>

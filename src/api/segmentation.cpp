@@ -50,6 +50,7 @@ ts_segment_options public_options(ts_preset preset) {
   o.click_reach = d.click_reach;
   o.click_concavity = d.click_concavity;
   o.reject_outliers = d.reject_outliers;
+  o.memory_limit = d.memory_limit;
   return o;
 }
 
@@ -86,6 +87,7 @@ tooth::Options inner_options(const ts_segment_options &o) {
   d.click_reach = o.click_reach;
   d.click_concavity = o.click_concavity;
   d.reject_outliers = o.reject_outliers != 0;
+  d.memory_limit = static_cast<std::size_t>(std::min<std::uint64_t>(o.memory_limit, SIZE_MAX));
   tooth::check(d);
   return d;
 }
@@ -186,6 +188,18 @@ ts_status ts_propose_clicks(const ts_segmentation *segmentation, double *positio
     const AllocatorScope scope(segmentation->prepared->context().allocator);
     copy_out(segmentation->prepared->segmenter->propose_clicks(segmentation->session.teeth()), 3, positions, capacity,
              count, [](const Vec3 &p, double *to) { std::copy_n(p.data(), 3, to); });
+  });
+}
+
+ts_status ts_get_memory(const ts_segmentation *segmentation, ts_memory_info *info) {
+  return guarded(__func__, [&] {
+    need(segmentation, "segmentation");
+    need(info, "info");
+    const Prepared &p = *segmentation->prepared;
+    const ts::tooth::Memory m = p.segmenter->memory();
+    write_struct(info,
+                 ts_memory_info{0, 0, p.features->model->model.bytes(), m.kept, m.factor, m.factor_whole, m.click},
+                 info->struct_size, "ts_memory_info");
   });
 }
 

@@ -32,6 +32,11 @@ struct Space {
         level(s.vertices(), 1),
         paths(s) {}
 
+  static std::size_t bytes(const Surface &s) {
+    return s.faces() * 2 + s.vertices() * (1 + sizeof(double) + sizeof(double) + 2 * sizeof(Index)) +
+           std::max(s.faces(), s.vertices()) * sizeof(Index);
+  }
+
   void clear() noexcept {
     inside.clear();
     faces.clear();

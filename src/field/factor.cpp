@@ -192,10 +192,12 @@ void Factor::make_steps() {
 }
 
 void Factor::keep(std::size_t most_bytes) {
-  const std::size_t above = chunk_.back().doubles, most = most_bytes / sizeof(double);
+  const std::size_t structure = bytes(), above = chunk_.back().doubles;
+  const std::size_t most = most_bytes > structure ? (most_bytes - structure) / sizeof(double) : 0;
   if (above > most)
-    throw Error(Fault::out_of_memory, "memory_limit: the factor needs " + std::to_string(above * sizeof(double)) +
-                                          " bytes at least, " + std::to_string(most_bytes) + " are left to it");
+    throw Error(Fault::out_of_memory, "memory_limit: the factor needs " +
+                                          std::to_string(structure + above * sizeof(double)) + " bytes at least, " +
+                                          std::to_string(most_bytes) + " are left to it");
   kept_doubles_ = above;
   Index chunk = 0;
   for (; chunk + 1 < chunks() && chunk_[chunk].doubles <= most - kept_doubles_; ++chunk)
@@ -208,6 +210,13 @@ void Factor::keep(std::size_t most_bytes) {
     chunk_[c].panels = at;
     at += chunk_[c].doubles;
   }
+}
+
+std::size_t Factor::left_out_bytes() const {
+  std::size_t doubles = 0;
+  for (const Chunk &c : chunk_)
+    if (!c.panels) doubles += c.doubles;
+  return sizeof(double) * doubles;
 }
 
 std::size_t Factor::bytes() const {

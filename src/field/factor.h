@@ -83,7 +83,8 @@ class Factor {
   const Step &step(Index part) const { return step_[part]; }
 
   std::size_t most_rows() const { return most_rows_; }
-  std::size_t bytes() const;  // of all that is kept
+  std::size_t bytes() const;           // of all that is kept
+  std::size_t left_out_bytes() const;  // of the panels that are not
   double elimination_ms() const { return elimination_ms_; }
 
  private:

@@ -52,9 +52,10 @@ Solver::Solver(const mesh::Surface &surface, Vec<double> edge_weight, const Node
     if (node_of_[v] != mesh::none) place[v] = interior + node_of_[v];
   free = {};
   progress(0.2);
+  const std::size_t own = node_of_.size() * sizeof(Index) + nodes.size() * nodes.size() * sizeof(double);
   factor_ = std::make_unique<const Factor>(
       Laplacian{surface, std::move(edge_weight), node_of_, static_cast<Index>(nodes.size())}, std::move(dissection),
-      place, most_bytes, executor, progress.part(0.2, 1, "factorisation"));
+      place, most_bytes > own ? most_bytes - own : 0, executor, progress.part(0.2, 1, "factorisation"));
   schur_ = factor_->corner();
   // Constants are in the kernel of S exactly.
   for (Eigen::Index i = 0; i < schur_.rows(); ++i) schur_(i, i) = -schur_.row(i).sum();
@@ -148,6 +149,15 @@ Eigen::VectorXd Solver::measure(Index vertex) const {
   }
   for (std::size_t i = 0; i < rows.size(); ++i) share[rows[i] - f.interior()] = at_rows[i];
   return share;
+}
+
+std::size_t Solver::whole_bytes() const {
+  return bytes() + factor_->left_out_bytes();
+}
+
+std::size_t Solver::solution_bytes() const {
+  return sizeof(double) * (std::size_t{factor_->interior()} + factor_->nodes()) +
+         factor_->parts().size() * (1 + sizeof(Index));
 }
 
 std::size_t Solver::bytes() const {

@@ -43,6 +43,8 @@ class Solver {
   Eigen::VectorXd measure(Index vertex) const;
 
   std::size_t bytes() const;                                           // of what is kept for the clicks
+  std::size_t whole_bytes() const;                                     // ... if all of the factor were kept
+  std::size_t solution_bytes() const;                                  // of what a solution works in
   double elimination_ms() const { return factor_->elimination_ms(); }  // of making it, the numbers alone
 
  private:

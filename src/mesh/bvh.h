@@ -14,6 +14,8 @@ class Bvh {
   Bvh() = default;
   explicit Bvh(const Surface &surface, const Executor &executor = Executor(1));
 
+  std::size_t bytes() const { return sizeof(Node) * node_.size() + sizeof(Index) * face_.size(); }
+
   // The nearest point of the surface; of equally near faces the lowest. Face none if there is no face or p is not
   // finite.
   SurfacePoint nearest(const Surface &surface, const Vec3 &p) const;

@@ -57,6 +57,10 @@ void describe(const Surface &s, IntakeReport &report) {
 
 }  // namespace
 
+std::size_t Model::bytes() const {
+  return surface.bytes() + bvh.bytes() + sizeof(Index) * (face_source.size() + vertex_map.size() + label_source.size());
+}
+
 Model make_model(RawMesh raw, const IntakeOptions &options, const Executor &executor, Progress progress) {
   if (!std::isfinite(options.weld_tolerance) || options.weld_tolerance < 0)
     throw Error(Fault::invalid_argument, "weld_tolerance is not a length");

@@ -34,6 +34,8 @@ struct Model {
   Vec<Index> vertex_map;    // a caller's vertex: the model's (the first of several), none if dropped
   Vec<Index> label_source;  // a caller's face: the model face whose label it takes; none if nothing touches it
 
+  std::size_t bytes() const;
+
   SurfacePoint nearest(const Vec3 &p) const { return bvh.nearest(surface, p); }
   std::optional<SurfacePoint> raycast(const Vec3 &origin, const Vec3 &direction) const {
     return bvh.raycast(surface, origin, direction);

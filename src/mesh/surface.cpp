@@ -202,6 +202,13 @@ Rows faces_around(std::size_t vertices, std::span<const Triangle> triangle) {
   });
 }
 
+std::size_t Surface::bytes() const {
+  const auto of = [](const auto &...all) { return ((all.size() * sizeof(all[0])) + ...); };
+  return of(position, triangle, twin, edge, edge_of, vertex_faces.start, vertex_faces.item, vertex_edges.start,
+            vertex_edges.item, face_area, face_normal, vertex_area, component, vertex_component, boundary.start,
+            boundary.item, boundary_length, on_boundary);
+}
+
 Surface make_surface(Vec<Vec3> position, Vec<Triangle> triangle, const Executor &executor, Links links) {
   Surface s;
   s.position = std::move(position);

@@ -64,6 +64,7 @@ struct Surface {
   Vec<std::uint8_t> on_boundary;  // a vertex: 1 if on a loop
   double area = 0, mean_edge = 0, diagonal = 0;
 
+  std::size_t bytes() const;
   std::size_t vertices() const { return position.size(); }
   std::size_t faces() const { return triangle.size(); }
   Index from(Index halfedge) const { return triangle[halfedge / 3][halfedge % 3]; }

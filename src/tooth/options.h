@@ -1,6 +1,7 @@
 // What can be set about a segmentation: ts_segment_options in C++, with the source of every default.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "field/weights.h"
@@ -46,6 +47,7 @@ struct Options {
   double click_reach = 2;                // mm, a click further from the surface is off it
   double click_concavity = 60;           // geodesic cost |e| (1 + this * concavity) from click to points
   bool reject_outliers = true;           // free feature points that contradict the field
+  std::size_t memory_limit = 0;          // bytes that a prepared scan may keep; 0 = no limit
 };
 
 Options default_options();

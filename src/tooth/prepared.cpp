@@ -37,6 +37,16 @@ Vec<Index> spread(const features::Group &group, std::size_t most) {
   return taken;
 }
 
+// Of the option's bytes.
+std::size_t left_to_the_factor(const Prepared &p) {
+  const std::size_t limit = p.options.memory_limit, taken = p.bytes();
+  if (limit == 0) return SIZE_MAX;
+  if (limit < taken)
+    throw Error(Fault::out_of_memory, "memory_limit: " + std::to_string(limit) + " bytes are less than the " +
+                                          std::to_string(taken) + " that a click needs beside the factor");
+  return limit - taken;
+}
+
 }  // namespace
 
 Prepared prepare(const mesh::Surface &surface, const features::Features &features, const Options &options,
@@ -96,12 +106,12 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   p.nodes = field::make_nodes(surface, p.sites,
                               {options.seed_radius, options.background != Background::neighbour || !several,
                                options.gingiva_distance, p.lengthened});
+  p.group_at.assign(surface.vertices(), mesh::none);
   p.solver = std::make_unique<field::Solver>(surface, std::move(weight), p.nodes, executor,
-                                             progress.part(0.3, 1, "factorisation"));
+                                             progress.part(0.3, 1, "factorisation"), left_to_the_factor(p));
   p.outlier = options.reject_outliers ? field::find_outliers(*p.solver, p.nodes, convexity)
                                       : Vec<std::uint8_t>(p.nodes.size(), 0);
 
-  p.group_at.assign(surface.vertices(), mesh::none);
   for (Index i = 0; i < p.sites.point.size(); ++i) {
     const Index node = p.nodes.of_vertex[p.sites.point[i]];
     if (p.outlier[node])

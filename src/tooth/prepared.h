@@ -38,6 +38,12 @@ struct Prepared {
   mutable std::unique_ptr<cut::Spaces> spaces = std::make_unique<cut::Spaces>();
   PrepareTimes times;
 
+  // Of all but the solver.
+  std::size_t bytes() const {
+    return sizeof(double) * (concavity.size() + length.size() + price.size() + cotangent.size() + click_cost.size()) +
+           sizeof(Index) * (group_at.size() + nodes.of_vertex.size() + nodes.vertices.item.size());
+  }
+
   // What a cut or a search works in; each task takes one of its own.
   cut::Spaces::Lease space() const {
     return spaces->take([this] { return std::make_unique<cut::Space>(*surface); });

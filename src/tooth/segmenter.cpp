@@ -226,6 +226,11 @@ const Options &Segmenter::options() const {
 const PrepareTimes &Segmenter::times() const {
   return impl_->prepared.times;
 }
+Memory Segmenter::memory() const {
+  const Prepared &p = impl_->prepared;
+  return {p.bytes() + p.solver->bytes(), p.solver->bytes(), p.solver->whole_bytes(),
+          p.solver->solution_bytes() + cut::Space::bytes(*p.surface)};
+}
 Index Segmenter::groups() const {
   return impl_->prepared.groups;
 }

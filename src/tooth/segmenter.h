@@ -23,6 +23,13 @@ struct ClickTimes {
   double pick = 0, field = 0, cut = 0, label = 0, total = 0;
 };
 
+// Bytes.
+struct Memory {
+  std::size_t kept = 0;                      // of all that clicks share, the factor included
+  std::size_t factor = 0, factor_whole = 0;  // as far as it is kept; if all of it were
+  std::size_t click = 0;                     // of the work space of a tooth
+};
+
 struct Click {
   mesh::SurfacePoint at;
   Index target = mesh::none;                 // index of the group clicked
@@ -88,6 +95,7 @@ class Segmenter {
 
   const Options &options() const;
   const PrepareTimes &times() const;
+  Memory memory() const;
   Index groups() const;
   // The feature points of a group that contradicted the field and are not used: indices into Group::points.
   const Vec<Index> &rejected_points(Index group) const;
