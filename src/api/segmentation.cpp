@@ -97,12 +97,6 @@ mesh::SurfacePoint surface_point(const Prepared &p, const double position[3]) {
   return p.features->model->nearest({position[0], position[1], position[2]});
 }
 
-void put_clicks(ts_segmentation &handle, Vec<tooth::Click> clicks) {
-  tooth::Session next = handle.session;
-  for (tooth::Click &c : clicks) next.add(std::move(c));
-  handle.session = std::move(next);
-}
-
 }  // namespace
 }  // namespace ts::api
 
@@ -145,10 +139,10 @@ ts_status ts_segment_click(ts_segmentation *segmentation, const double position[
     const Prepared &p = *segmentation->prepared;
     const AllocatorScope scope(p.context().allocator);
     const ts::Progress progress = progress_of(job);
-    ts::Vec<ts::tooth::Click> clicks;
-    clicks.push_back(p.segmenter->click(surface_point(p, position), segmentation->session.teeth(), progress));
+    ts::tooth::Session next = segmentation->session;
+    next.add(p.segmenter->click(surface_point(p, position), next.teeth(), progress));
     progress(1);
-    put_clicks(*segmentation, std::move(clicks));
+    segmentation->session = std::move(next);
     if (click) *click = segmentation->session.clicks() - 1;
   });
 }
@@ -158,25 +152,33 @@ ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positio
   return guarded(__func__, [&] {
     need(segmentation, "segmentation");
     if (count) need(positions, "positions");
+    for (uint32_t i = 0; i < count; ++i) need_finite(positions + 3 * std::size_t{i}, "position");
     const Prepared &p = *segmentation->prepared;
     const AllocatorScope scope(p.context().allocator);
     const ts::Progress progress = progress_of(job);
-    ts::Vec<ts::mesh::SurfacePoint> at;
-    for (uint32_t i = 0; i < count; ++i) at.push_back(surface_point(p, positions + 3 * std::size_t{i}));
+    ts::tooth::Session next = segmentation->session;
     ts::Vec<ts_status> status;
-    ts::Vec<ts::tooth::Click> clicks;
-    for (auto &outcome : p.segmenter->clicks(at, segmentation->session.teeth(), progress)) {
-      status.push_back(outcome.click ? TS_OK : status_of(outcome.fault));
-      if (outcome.click) {
-        clicks.push_back(std::move(*outcome.click));
-        continue;
+    // So many at a time: a batch of any size takes the memory of these.
+    constexpr uint32_t most = 256;
+    for (uint32_t first = 0; first < count; first += most) {
+      const uint32_t end = std::min(count, first + most);
+      ts::Vec<ts::mesh::SurfacePoint> at;
+      for (uint32_t i = first; i < end; ++i) at.push_back(surface_point(p, positions + 3 * std::size_t{i}));
+      const ts::Progress part =
+          progress.part(static_cast<double>(first) / count, static_cast<double>(end) / count, "clicks");
+      for (auto &outcome : p.segmenter->clicks(at, next.teeth(), part)) {
+        status.push_back(outcome.click ? TS_OK : status_of(outcome.fault));
+        if (outcome.click) {
+          next.add(std::move(*outcome.click));
+          continue;
+        }
+        const std::string what = "click " + std::to_string(status.size() - 1) + ": " + outcome.message;
+        keep_message("ts_segment_clicks", what.c_str());
+        p.context().write_log(TS_LOG_WARNING, what);
       }
-      const std::string what = "click " + std::to_string(status.size() - 1) + ": " + outcome.message;
-      keep_message("ts_segment_clicks", what.c_str());
-      p.context().write_log(TS_LOG_WARNING, what);
     }
     progress(1);
-    put_clicks(*segmentation, std::move(clicks));
+    segmentation->session = std::move(next);
     if (statuses) std::copy(status.begin(), status.end(), statuses);
   });
 }

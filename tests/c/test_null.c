@@ -207,6 +207,7 @@ static void result_functions(void) {
   ts_tooth_info tooth;
   ts_cut_info cut;
   ts_prepare_times times;
+  ts_memory_info memory;
   ts_contour_info contour;
   ts_edge_point point;
   double u = 5;
@@ -249,6 +250,8 @@ static void result_functions(void) {
   REFUSED(ts_get_cut, (s.segmentation, id, 0, NULL, NULL, 0, NULL));
   REFUSED(ts_get_labels, (NULL, &index, 1, &count));
   REFUSED(ts_get_labels, (s.segmentation, NULL, 0, NULL));
+  REFUSED(ts_get_memory, (NULL, &memory));
+  REFUSED(ts_get_memory, (s.segmentation, NULL));
   REFUSED(ts_get_prepare_times, (NULL, &times));
   REFUSED(ts_get_prepare_times, (s.segmentation, NULL));
   CHECK(u == 5 && index == 5 && closed == 5);

@@ -88,6 +88,9 @@ static ts_status get_click(void *o) {
 static ts_status get_tooth(void *o) {
   return ts_get_tooth(s.segmentation, tooth_id, o);
 }
+static ts_status get_memory(void *o) {
+  return ts_get_memory(s.segmentation, o);
+}
 static ts_status get_times(void *o) {
   return ts_get_prepare_times(s.segmentation, o);
 }
@@ -111,6 +114,7 @@ static const struct {
                {"ts_click_info", NULL, get_click, sizeof(ts_click_info)},
                {"ts_tooth_info", NULL, get_tooth, sizeof(ts_tooth_info)},
                {"ts_cut_info", NULL, get_cut, sizeof(ts_cut_info)},
+               {"ts_memory_info", NULL, get_memory, sizeof(ts_memory_info)},
                {"ts_prepare_times", NULL, get_times, sizeof(ts_prepare_times)}};
 
 /* All of these are no size of any release; 0.1.0 is the first, so that no shorter one is one. */
