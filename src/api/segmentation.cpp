@@ -144,7 +144,8 @@ ts_status ts_segment_click(ts_segmentation *segmentation, const double position[
     const AllocatorScope scope(p.context().allocator);
     const ts::Progress progress = progress_of(job);
     ts::Vec<ts::tooth::Click> clicks;
-    clicks.push_back(p.segmenter->click(surface_point(p, position), segmentation->session.teeth(), progress));
+    clicks.push_back(p.segmenter->click(surface_point(p, position), segmentation->session.teeth(), progress,
+                                        segmentation->session.among()));
     progress(1);
     put_clicks(*segmentation, std::move(clicks));
     if (click) *click = segmentation->session.clicks() - 1;
@@ -163,7 +164,8 @@ ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positio
     for (uint32_t i = 0; i < count; ++i) at.push_back(surface_point(p, positions + 3 * std::size_t{i}));
     ts::Vec<ts_status> status;
     ts::Vec<ts::tooth::Click> clicks;
-    for (auto &outcome : p.segmenter->clicks(at, segmentation->session.teeth(), progress)) {
+    const ts::tooth::Session &session = segmentation->session;
+    for (auto &outcome : p.segmenter->clicks(at, session.teeth(), progress, session.among())) {
       status.push_back(outcome.click ? TS_OK : status_of(outcome.fault));
       if (outcome.click) {
         clicks.push_back(std::move(*outcome.click));
