@@ -32,30 +32,24 @@ std::shared_ptr<const Prepared> make_group(const Prepared &p, const mesh::Surfac
   const mesh::Surface &s = *p.surface;
   const Index nearest = *std::ranges::min_element(s.triangle[at.face], {},
                                                   [&](Index v) { return (s.position[v] - at.position).squaredNorm(); });
-  const Index there = p.nodes.of_vertex[nearest];
-  if (there != mesh::none && !p.outlier[there])
+  if (const Index there = p.nodes.of_vertex[nearest]; there != mesh::none) {
+    if (p.nodes.group[there] == field::gingiva_group || p.outlier[there])
+      throw Error(Fault::click_on_gingiva, "the click lies on gingiva for certain, or on a point that was freed");
     throw Error(Fault::no_cut, "the click lies on a constraint of a tooth that could not be cut around it");
+  }
 
   auto made = std::make_shared<Prepared>(p);
   const Index group = made->groups++;
-  Vec<Index> seeds;
-  if (there == mesh::none) {
-    seeds = disc_at(p, at, nearest);
-    const auto node = static_cast<Index>(made->nodes.size());
-    for (const Index v : seeds) made->nodes.of_vertex[v] = node;
-    made->nodes.vertices.item.insert(made->nodes.vertices.item.end(), seeds.begin(), seeds.end());
-    made->nodes.vertices.start.push_back(static_cast<Index>(made->nodes.vertices.item.size()));
-    made->nodes.group.push_back(group);
-    made->nodes.point.push_back(static_cast<Index>(made->sites.point.size()));
-    made->outlier.push_back(0);
-    made->added.push_back(seeds);
-    made->border = std::make_shared<const field::Border>(*made->solver, made->added);
-  } else {  // a point that was freed since it contradicted its group: it is of this tooth
-    for (Index v = 0; v < s.vertices(); ++v)
-      if (p.nodes.of_vertex[v] == there) seeds.push_back(v);
-    made->nodes.group[there] = group;
-    made->outlier[there] = 0;
-  }
+  Vec<Index> seeds = disc_at(p, at, nearest);
+  const auto node = static_cast<Index>(made->nodes.size());
+  for (const Index v : seeds) made->nodes.of_vertex[v] = node;
+  made->nodes.vertices.item.insert(made->nodes.vertices.item.end(), seeds.begin(), seeds.end());
+  made->nodes.vertices.start.push_back(static_cast<Index>(made->nodes.vertices.item.size()));
+  made->nodes.group.push_back(group);
+  made->nodes.point.push_back(static_cast<Index>(made->sites.point.size()));
+  made->outlier.push_back(0);
+  made->added.push_back(seeds);
+  made->border = std::make_shared<const field::Border>(*made->solver, made->added);
   made->nodes.groups = made->groups;
   made->sites.point.push_back(nearest);
   made->sites.group.push_back(group);

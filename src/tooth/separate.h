@@ -9,8 +9,8 @@ namespace ts::tooth {
 // The closest group. Throws click_off_surface, click_on_gingiva.
 Pick take(const Prepared &prepared, const mesh::SurfacePoint &at);
 
-// The teeth of a pick. Nothing if the click lies on a crown that the target's tooth is not, which own_field_decides
-// alone asks about: then the click has to be looked at as evidence. Throws click_on_gingiva, no_cut.
+// The teeth of a pick. Nothing if the target's tooth does not hold the click and its own field decides: then the click
+// has to be looked at as evidence. Throws click_on_gingiva, no_cut.
 std::optional<Click> separate(const Prepared &prepared, const mesh::SurfacePoint &at, const Pick &picked,
                               double pick_ms, const Progress &progress);
 
