@@ -131,7 +131,19 @@ TEST_CASE("several groups can be made, each with an index of its own") {
   CHECK(std::ranges::find(teeth, 5u) < std::ranges::find(teeth, 4u));
 }
 
-TEST_CASE("two crowns side by side without a group, where most of the field is the gingiva's") {
+TEST_CASE("the last crown of a row without a group, where the field is the gingiva's but for a fifth") {
+  Row r = row(3);
+  r.features.groups.erase(r.features.groups.begin());
+  Options o = default_options();
+  o.gingiva_distance = 20;  // they are steep: 13 along them do not reach the second
+  const Segmenter s(r.surface, r.features, o, one);
+  const Click c = s.click(r.at(centre_x(0), centre_y));
+  CHECK(c.target == 2);
+  CHECK(c.neighbour == 0);
+  CHECK(iou(r, c.teeth[0].faces, 0) > 0.9);
+}
+
+TEST_CASE("two crowns side by side without a group") {
   Row r = row(6);
   r.features.groups.erase(r.features.groups.begin() + 2, r.features.groups.begin() + 4);
   Options o = default_options();
