@@ -84,10 +84,11 @@ static void a_click_on_a_crown_without_a_group_makes_one(void) {
   gap g;
   ts_click_info click;
   ts_tooth_info tooth;
-  uint32_t teeth[4], n = 0, id = g.largest_id + 1, count = 0;
+  uint32_t teeth[4], n = 0, id, count = 0;
   double *u = must_have(sizeof *u * s.arch.vertices);
   make_gap(&g, 5);
   REQUIRE(g.segmentation != NULL);
+  id = g.largest_id + 1;
   REQUIRE_STATUS(ts_segment_click(g.segmentation, g.click, NULL, NULL), TS_OK);
   click = click_info(g.segmentation, 0);
   CHECK(click.target == id);
@@ -134,8 +135,15 @@ static void at_once_is_one_after_the_other(void) {
   CHECK(same_bytes(&a, &b));
   free_bytes(&a);
   free_bytes(&b);
+  /* The made one came between two of a pair: what that leaves is proposed, the made one is not. */
+  free(clicks);
+  clicks = proposed_clicks(together.segmentation, &n);
+  CHECK(n <= 1);
+  CHECK_STATUS(ts_segment_clicks(together.segmentation, clicks, n, NULL, NULL), TS_OK);
   CHECK_STATUS(ts_propose_clicks(together.segmentation, NULL, 0, &n), TS_OK);
-  CHECK(n == 0); /* of the features' groups all are separated */
+  CHECK(n == 0);
+  CHECK_STATUS(ts_get_teeth(together.segmentation, NULL, 0, &n), TS_OK);
+  CHECK(n == together.groups + 1);
   free(all);
   free(clicks);
   free_gap(&apart);
