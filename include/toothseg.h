@@ -490,7 +490,18 @@ TS_API void ts_segmentation_destroy(ts_segmentation *segmentation);
 /** Separates the tooth under `position` (mm, on the surface) and its neighbour: the group closest along the surface is
  *  the target (0), the next closest the background (1) (paper, "User interface"). The default preset takes for the
  *  neighbour the tooth beside the target along the arch that the click faces; one that is separated already is passed
- *  over where the tooth on the other side is not. `click` out, may be NULL: its number, counted from 0. Errors: TS_E_CLICK_*, TS_E_NO_CUT, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. */
+ *  over where the tooth on the other side is not.
+ *
+ *  With everything else as background, as the default preset has it, the click is evidence: where the tooth of the
+ *  closest group does not hold the click, the target is the group that the field at the click is most of; where that
+ *  one's tooth does not hold it either, the click makes a group of its own, held on a disc of seed_radius
+ *  (TS_WARN_MADE_BY_CLICK). A click that succeeds gives the tooth that it lies on. A group made by a click belongs to
+ *  the segmentation, not to the features: later clicks find it and have it as background; its id is the smallest larger
+ *  than those of all groups of the features and of those made before it. TS_E_CLICK_ON_GINGIVA also where what could be
+ *  cut out around the click is no tooth.
+ *
+ *  `click` out, may be NULL: its number, counted from 0. Errors: TS_E_CLICK_*, TS_E_NO_CUT, TS_E_CANCELLED,
+ *  TS_E_OUT_OF_MEMORY, usage. */
 TS_API TS_NODISCARD ts_status ts_segment_click(ts_segmentation *segmentation, const double position[3], ts_job *job,
                                                uint32_t *click);
 
@@ -501,7 +512,7 @@ TS_API TS_NODISCARD ts_status ts_segment_click(ts_segmentation *segmentation, co
 TS_API TS_NODISCARD ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positions, uint32_t count,
                                                 ts_job *job, ts_status *statuses);
 
-/** The fewest clicks that cover every group not yet separated (paper: N/2, or N/2 + 1 in all): 3 doubles a click, to be
+/** The fewest clicks that cover every group of the features not yet separated (paper: N/2, or N/2 + 1 in all): 3 doubles a click, to be
  *  given to ts_segment_clicks. No clicks once all are separated. */
 TS_API TS_NODISCARD ts_status ts_propose_clicks(const ts_segmentation *segmentation, double *positions, uint32_t capacity,
                                                 uint32_t *count);
@@ -570,11 +581,12 @@ TS_API TS_NODISCARD ts_status ts_get_contour_points(const ts_segmentation *segme
                                                     ts_edge_point *points, uint32_t capacity, uint32_t *count,
                                                     uint32_t *starts, uint8_t *closed);
 
-/** A separated tooth. Its id is the id of its feature group. */
+/** A separated tooth. Its id is the id of its feature group, or of the group that a click made (ts_segment_click). */
 typedef struct ts_tooth_info {
   uint32_t struct_size;
   uint32_t id;
-  uint32_t label;      /**< what ts_get_labels writes: place along the arch counted from 1; not an FDI number */
+  uint32_t label;      /**< what ts_get_labels writes: place of its feature group along the arch counted from 1; of the
+                            n-th group made by a click the number of feature groups + n; not an FDI number */
   uint32_t click;      /**< the click that separated it (last) */
   uint32_t faces;      /**< model faces */
   uint32_t vertices;   /**< model vertices of these */
@@ -598,6 +610,7 @@ typedef enum ts_tooth_warning {
   TS_WARN_WIDTH = 64,         /**< wider or narrower along the arch than a tooth is, or than its stretch of the arch */
   TS_WARN_TWO_GROUPS = 128,   /**< a feature point of another group lies on it, before overlaps are resolved */
   TS_WARN_FLAT_TOP = 256,     /**< its top is one plane: a scan body or a post, not a crown */
+  TS_WARN_MADE_BY_CLICK = 512, /**< no feature group lies on it: the click alone says that it is a tooth */
   TS_WARN_FORCE_INT = 0x7fffffff
 } ts_tooth_warning;
 

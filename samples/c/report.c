@@ -57,7 +57,8 @@ static const bit_name of_tooth[] = {{TS_WARN_AREA_SMALL, "area_small"},
                                     {TS_WARN_SEED_REJECTED, "seed_rejected"},
                                     {TS_WARN_WIDTH, "width"},
                                     {TS_WARN_TWO_GROUPS, "two_groups"},
-                                    {TS_WARN_FLAT_TOP, "flat_top"}};
+                                    {TS_WARN_FLAT_TOP, "flat_top"},
+                                    {TS_WARN_MADE_BY_CLICK, "made_by_click"}};
 
 static void write_warnings(json *j, uint32_t warnings, const bit_name *names, size_t count) {
   size_t i;

@@ -23,6 +23,7 @@ static_assert(static_cast<uint32_t>(tooth::Warning::seed_rejected) == TS_WARN_SE
 static_assert(static_cast<uint32_t>(tooth::Warning::width) == TS_WARN_WIDTH);
 static_assert(static_cast<uint32_t>(tooth::Warning::two_groups) == TS_WARN_TWO_GROUPS);
 static_assert(static_cast<uint32_t>(tooth::Warning::flat_top) == TS_WARN_FLAT_TOP);
+static_assert(static_cast<uint32_t>(tooth::Warning::made_by_click) == TS_WARN_MADE_BY_CLICK);
 
 const Click &find_click(const ts_segmentation *s, uint32_t click) {
   need(s, "segmentation");
@@ -32,17 +33,27 @@ const Click &find_click(const ts_segmentation *s, uint32_t click) {
   return s->session.click(click);
 }
 
+// Of the first group that a click makes; the others follow.
+uint32_t first_made_id(const ts_segmentation &s) {
+  uint32_t id = 0;
+  for (const auto &g : s.prepared->features->set.groups()) id = std::max(id, g.id + 1);
+  return id;
+}
+
 // Groups have ids for the caller, which differ from their places along the arch once groups have been edited.
 uint32_t id_of(const ts_segmentation &s, Index group) {
-  return group == mesh::none ? TS_NONE : s.prepared->features->set.groups()[group].id;
+  const auto &groups = s.prepared->features->set.groups();
+  if (group == mesh::none) return TS_NONE;
+  return group < groups.size() ? groups[group].id : first_made_id(s) + static_cast<uint32_t>(group - groups.size());
 }
 
 Index group_of(const ts_segmentation *s, uint32_t id) {
   need(s, "segmentation");
   const auto &groups = s->prepared->features->set.groups();
   const auto it = std::ranges::find(groups, id, &features::FeatureSet::Group::id);
-  const Index group = static_cast<Index>(it - groups.begin());
-  if (it == groups.end() || !s->session.tooth(group))
+  Index group = static_cast<Index>(it - groups.begin());
+  if (it == groups.end() && id >= first_made_id(*s)) group += id - first_made_id(*s);
+  if ((it == groups.end() && id < first_made_id(*s)) || !s->session.tooth(group))
     throw Error(Fault::not_found, "no tooth " + std::to_string(id) + " has been separated");
   return group;
 }

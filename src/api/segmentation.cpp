@@ -140,7 +140,7 @@ ts_status ts_segment_click(ts_segmentation *segmentation, const double position[
     const AllocatorScope scope(p.context().allocator);
     const ts::Progress progress = progress_of(job);
     ts::tooth::Session next = segmentation->session;
-    next.add(p.segmenter->click(surface_point(p, position), next.teeth(), progress));
+    next.add(p.segmenter->click(surface_point(p, position), next.teeth(), progress, next.among()));
     progress(1);
     segmentation->session = std::move(next);
     if (click) *click = segmentation->session.clicks() - 1;
@@ -166,7 +166,7 @@ ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positio
       for (uint32_t i = first; i < end; ++i) at.push_back(surface_point(p, positions + 3 * std::size_t{i}));
       const ts::Progress part =
           progress.part(static_cast<double>(first) / count, static_cast<double>(end) / count, "clicks");
-      for (auto &outcome : p.segmenter->clicks(at, next.teeth(), part)) {
+      for (auto &outcome : p.segmenter->clicks(at, next.teeth(), part, next.among())) {
         status.push_back(outcome.click ? TS_OK : status_of(outcome.fault));
         if (outcome.click) {
           next.add(std::move(*outcome.click));

@@ -29,19 +29,25 @@ void FeatureSet::require_group(Index id) const {
     throw Error(Fault::not_found, "no feature group " + std::to_string(id));
 }
 
-Index FeatureSet::insert_group(const Vec3 &at) {
-  const auto distance = [&](std::size_t i) { return (groups_[i].centre - at).norm(); };
+std::size_t place_in_row(std::span<const Vec3> row, const Vec3 &at) {
+  const auto distance = [&](std::size_t i) { return (row[i] - at).norm(); };
   std::size_t best = 0;
-  double least = groups_.empty() ? 0 : distance(0);
-  for (std::size_t i = 1; i <= groups_.size(); ++i) {
-    const double added = i == groups_.size()
-                             ? distance(i - 1)
-                             : distance(i - 1) + distance(i) - (groups_[i - 1].centre - groups_[i].centre).norm();
+  double least = row.empty() ? 0 : distance(0);
+  for (std::size_t i = 1; i <= row.size(); ++i) {
+    const double added =
+        i == row.size() ? distance(i - 1) : distance(i - 1) + distance(i) - (row[i - 1] - row[i]).norm();
     if (added < least) {
       least = added;
       best = i;
     }
   }
+  return best;
+}
+
+Index FeatureSet::insert_group(const Vec3 &at) {
+  Vec<Vec3> row;
+  for (const Group &g : groups_) row.push_back(g.centre);
+  const std::size_t best = place_in_row(row, at);
   groups_.insert(groups_.begin() + static_cast<std::ptrdiff_t>(best), {next_group_, 0, 0, 1, at, 0});
   return next_group_++;
 }

@@ -1,9 +1,14 @@
 // Features that can be edited by hand: points and groups with ids that stay, groups kept in the order of the arch.
 #pragma once
 
+#include <span>
+
 #include "features/features.h"
 
 namespace ts::features {
+
+// Where in a row of centres a further one belongs: where it lengthens the way through them least.
+std::size_t place_in_row(std::span<const Vec3> row, const Vec3 &at);
 
 class FeatureSet {
  public:
@@ -32,7 +37,7 @@ class FeatureSet {
   const Vec<Point> &points() const { return points_; }  // in the order of their groups
   const Vec<Group> &groups() const { return groups_; }  // along the arch
 
-  // `group` none: a new group, put where it lengthens the way through the groups' centres least.
+  // `group` none: a new group, put along the arch by place_in_row.
   // All of these throw Error{not_found} for an id that is not there, and then change nothing.
   const Point &add_point(Index vertex, const Vec3 &position, Index group);
   void move_point(Index point, Index vertex, const Vec3 &position);

@@ -44,6 +44,7 @@ class Factor {
   Factor(Laplacian laplacian, Dissection dissection, std::span<const Index> place, std::size_t most_bytes,
          const Executor &executor, const Progress &progress);
 
+  const mesh::Surface &surface() const { return *surface_; }
   Index interior() const { return interior_; }
   Index nodes() const { return nodes_; }
   Index place(Index vertex) const { return place_[vertex]; }

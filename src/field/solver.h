@@ -8,16 +8,13 @@
 // the vertices it looks at.
 #pragma once
 
-#include <limits>
 #include <span>
 
+#include "field/nodal.h"
 #include "field/nodes.h"
 #include "field/solution.h"
 
 namespace ts::field {
-
-// Value of a node that is not held.
-inline constexpr double free_node = std::numeric_limits<double>::quiet_NaN();
 
 class Solver {
  public:
@@ -27,14 +24,15 @@ class Solver {
          const Progress &progress = {}, std::size_t most_bytes = SIZE_MAX);
 
   // -S_ij is the conductance between nodes i and j with all else free. Rows sum to zero.
-  const Eigen::MatrixXd &schur() const { return schur_; }
+  const Eigen::MatrixXd &schur() const { return nodal_.schur(); }
 
   // Eq. 3 on the nodes: those with a value are held with penalty alpha (0: exactly), the others are free. NaN where no
   // held node is in reach.
-  Eigen::VectorXd solve_nodes(std::span<const double> held, double alpha) const;
+  Eigen::VectorXd solve_nodes(std::span<const double> held, double alpha) const { return nodal_.solve(held, alpha); }
 
-  // The values at the vertices from those at the nodes, where they are asked for.
-  Solution extend(const Eigen::VectorXd &at_nodes) const;
+  // The values at the vertices from those at the nodes, where they are asked for. `source`: what is put into free
+  // vertices (Border).
+  Solution extend(const Eigen::VectorXd &at_nodes, Source source = {}) const;
   // All of them; NaN on pieces left out.
   Vec<double> extend_to_all(const Eigen::VectorXd &at_nodes) const;
 
@@ -42,6 +40,7 @@ class Solver {
   // Touches the vertex' path to the root of the tree only.
   Eigen::VectorXd measure(Index vertex) const;
 
+  const Factor &factor() const { return *factor_; }
   std::size_t bytes() const;                                           // of what is kept for the clicks
   std::size_t whole_bytes() const;                                     // ... if all of the factor were kept
   std::size_t solution_bytes() const;                                  // of what a solution works in
@@ -50,8 +49,7 @@ class Solver {
  private:
   Vec<Index> node_of_;
   std::unique_ptr<const Factor> factor_;
-  Eigen::MatrixXd schur_;
-  Vec<Index> set_;  // of nodes that S connects: the first node of each node's
+  Nodal nodal_;
   mutable Pool<Solution::Space> spaces_;
 };
 

@@ -27,7 +27,9 @@ Vec<double> held_for(const Prepared &p, const Pick &pick, Index group) {
 }
 
 field::Solution solve(const Prepared &p, const Pick &pick, Index group) {
-  return p.solver->extend(p.solver->solve_nodes(held_for(p, pick, group), p.options.alpha));
+  const Vec<double> held = held_for(p, pick, group);
+  if (p.border) return p.border->extend(p.border->solve_nodes(held, p.options.alpha));
+  return p.solver->extend(p.solver->solve_nodes(held, p.options.alpha));
 }
 
 double mean_inside(const Prepared &p, Fields &fields, bool of_target, const Vec<Index> &faces) {
@@ -53,12 +55,12 @@ double confidence(double inside, const Tooth &tooth) {
 
 void add_cuts(const Prepared &p, Tooth &tooth, cut::Space &space) {
   bool open = false;
-  for (cut::Polyline &line :
-       cut::smooth_line(*p.surface, p.length, p.cotangent, p.options.smooth_radius, tooth.seeds, space)) {
+  for (cut::Polyline &line : cut::smooth_line(*p.surface, p.relief->length, p.relief->cotangent,
+                                              p.options.smooth_radius, tooth.seeds, space)) {
     open = open || !line.closed;
     tooth.loops.push_back({std::move(line), tooth.iso, 0, 0});
   }
-  for (Cut &c : tooth.loops) c.concavity = cut::mean_concavity(p.concavity, c.line);
+  for (Cut &c : tooth.loops) c.concavity = cut::mean_concavity(p.relief->concavity, c.line);
   if (open) tooth.warnings |= Warning::open_at_border;
   if (tooth.loops.size() != 1) tooth.warnings |= Warning::several_loops;
 }
@@ -106,7 +108,7 @@ Selection select_cuts(const Prepared &p, const Pick &pick, Fields &fields) {
       s.neighbour_iso = p.options.background == Background::all ? 0.75 : (1 + s.v_med) / 2;
       break;
     case CutRule::gradient: {
-      const Vec<cut::Score> scores = cut::score_all(*p.surface, u, p.concavity, p.options.contours);
+      const Vec<cut::Score> scores = cut::score_all(*p.surface, u, p.relief->concavity, p.options.contours);
       const cut::Chosen chosen = cut::largest_gradient(scores, s.v_med);
       if (chosen.target != SIZE_MAX) s.target_iso = cut::iso_value(chosen.target, scores.size());
       if (chosen.neighbour != SIZE_MAX) s.neighbour_iso = cut::iso_value(chosen.neighbour, scores.size());
@@ -163,7 +165,7 @@ Tooth extract_tooth(const Prepared &p, Fields &fields, const Selection &selectio
   cut::fill_holes(surface, hole, foreign, growth.beside(), inside);
   if (p.options.refine_band > 0) {
     cut::refine(
-        surface, phi, p.length, p.price, [&](Index v) { return kind_for(p, group, v); },
+        surface, phi, p.relief->length, p.relief->price, [&](Index v) { return kind_for(p, group, v); },
         {p.lengthened * p.options.refine_band}, *space);
     cut::keep_seeded(surface, tooth.seeds, inside);
     cut::fill_holes(surface, hole, foreign, cut::beside(surface, inside), inside);
@@ -176,6 +178,7 @@ Tooth extract_tooth(const Prepared &p, Fields &fields, const Selection &selectio
   if (tooth.area / p.widened < p.options.area_min) tooth.warnings |= Warning::area_small;
   if (tooth.area / p.widened > p.options.area_max) tooth.warnings |= Warning::area_large;
   if (p.live.size() < 2) tooth.warnings |= Warning::no_neighbour;
+  if (group >= p.found) tooth.warnings |= Warning::made_by_click;
   if (!p.rejected[group].empty()) tooth.warnings |= Warning::seed_rejected;
   tooth.warnings |=
       warnings_of_place(p, group, tooth.vertices) | warnings_of_shape(surface, tooth.faces, p.occlusal, p.inside_out);
@@ -187,7 +190,8 @@ Tooth extract_tooth(const Prepared &p, Fields &fields, const Selection &selectio
 void measure_cuts(const Prepared &p, Fields &fields, Tooth &tooth) {
   double length = 0, gradient = 0;
   for (Cut &c : tooth.loops) {
-    const cut::Score s = cut::score(*p.surface, [&](Index v) { return fields.u(v); }, p.concavity, {&c.line, 1});
+    const cut::Score s =
+        cut::score(*p.surface, [&](Index v) { return fields.u(v); }, p.relief->concavity, {&c.line, 1});
     c.gradient = s.gradient;
     length += s.length;
     gradient += s.length * s.gradient;

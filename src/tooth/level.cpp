@@ -52,7 +52,7 @@ cut::Score border(const Prepared &p, const cut::Growth &growth, std::span<const 
         if (in_region(v)) space.level.set(v, rising(v) - level);
       }
   std::sort(among.begin(), among.end());
-  const cut::Score score = cut::score(s, rising, p.concavity,
+  const cut::Score score = cut::score(s, rising, p.relief->concavity,
                                       cut::contour(
                                           s, [&](Index v) { return space.level[v]; }, 0, among));
   space.marks.clear();

@@ -25,7 +25,7 @@ double towards(const Prepared &p, Index target, Index group, const Vec3 &click) 
 
 // The two beside the target along the arch, the one that the click faces first.
 void beside(const Prepared &p, const Vec3 &click, Pick &pick) {
-  const auto here = std::lower_bound(p.live.begin(), p.live.end(), pick.target);
+  const auto here = std::find(p.live.begin(), p.live.end(), pick.target);
   if (here != p.live.begin()) pick.neighbour = *(here - 1);
   if (here + 1 != p.live.end()) (pick.neighbour == mesh::none ? pick.neighbour : pick.other) = *(here + 1);
   if (pick.other != mesh::none &&
@@ -42,7 +42,7 @@ void search(const Prepared &p, const mesh::SurfacePoint &at, const auto &reach) 
     starts[k] = {v, (s.position[v] - at.position).norm(), 0};
   }
   p.space()->paths.search(
-      starts, [&](Index e) { return p.click_cost[e]; }, [&](Index v, double d, Index) { return reach(v, d); });
+      starts, [&](Index e) { return p.relief->click_cost[e]; }, [&](Index v, double d, Index) { return reach(v, d); });
 }
 
 }  // namespace
@@ -62,6 +62,14 @@ Pick pick(const Prepared &p, const mesh::SurfacePoint &at) {
     return plain && p.live.size() > 1;
   });
   if (!plain && pick.target != mesh::none) beside(p, at.position, pick);
+  return pick;
+}
+
+Pick pick_group(const Prepared &p, const mesh::SurfacePoint &at, Index group) {
+  Pick pick;
+  pick.target = group;
+  pick.target_distance = distance_to(p, at, group);
+  beside(p, at.position, pick);
   return pick;
 }
 

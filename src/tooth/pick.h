@@ -21,6 +21,9 @@ struct Pick {
 // 58 %: seams cost so much in it that what is left of a distance does not tell the sides.
 Pick pick(const Prepared &prepared, const mesh::SurfacePoint &at);
 
+// As if `group` were the closest, with its neighbours along the arch.
+Pick pick_group(const Prepared &prepared, const mesh::SurfacePoint &at, Index group);
+
 // From a click to the closest point of a group, in the metric of the options; infinite on another piece of the surface,
 // NaN for none.
 double distance_to(const Prepared &prepared, const mesh::SurfacePoint &at, Index group);

@@ -57,7 +57,7 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   p.executor = &executor;
   p.options = options;
   p.inside_out = features.inside_out;
-  p.groups = static_cast<Index>(features.groups.size());
+  p.groups = p.found = static_cast<Index>(features.groups.size());
   p.rejected.resize(p.groups);
 
   Stopwatch watch;
@@ -75,13 +75,15 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
 
   progress.part(0, 0.01, "weights")(0);
   geometry::Concavity valleys = geometry::concavity(surface, options.normal_radius, features.inside_out, executor);
-  p.length.resize(surface.edge.size());
-  executor.ranges(p.length.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) p.length[e] = surface.edge_length(static_cast<Index>(e));
+  const auto relief = std::make_shared<Relief>();
+  p.relief = relief;
+  relief->length.resize(surface.edge.size());
+  executor.ranges(relief->length.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) relief->length[e] = surface.edge_length(static_cast<Index>(e));
   });
-  p.price = cut::prices(p.length, cut::seams(surface, valleys.vertex, valleys.edge));
-  p.concavity = std::move(valleys.vertex);
-  p.cotangent = std::move(valleys.cotangent);
+  relief->price = cut::prices(relief->length, cut::seams(surface, valleys.vertex, valleys.edge));
+  relief->concavity = std::move(valleys.vertex);
+  relief->cotangent = std::move(valleys.cotangent);
   p.lengthened = valleys.lengthened;
   p.widened = valleys.widened;
   for (const features::Group &g : features.groups) p.width.push_back(std::max(0.0, g.to - g.from));
@@ -89,14 +91,14 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
   p.occlusal = features.occlusal;
   progress.part(0.2, 0.3, "weights")(0);
   Vec<double> weight = field::edge_weights(
-      surface, p.concavity,
+      surface, relief->concavity,
       {options.weights, options.beta, options.gamma, options.theta, options.c0, features.inside_out}, executor);
   valleys = {};
-  p.click_cost.resize(surface.edge.size());
+  relief->click_cost.resize(surface.edge.size());
   executor.ranges(surface.edge.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (Index e = static_cast<Index>(begin); e < end; ++e) {
-      const double c = (p.concavity[surface.edge[e][0]] + p.concavity[surface.edge[e][1]]) / 2;
-      p.click_cost[e] = p.length[e] * (1 + options.click_concavity * kClickLength * c);
+      const double c = (relief->concavity[surface.edge[e][0]] + relief->concavity[surface.edge[e][1]]) / 2;
+      relief->click_cost[e] = relief->length[e] * (1 + options.click_concavity * kClickLength * c);
     }
   });
   p.times.weights = watch.lap();
@@ -107,8 +109,8 @@ Prepared prepare(const mesh::Surface &surface, const features::Features &feature
                               {options.seed_radius, options.background != Background::neighbour || !several,
                                options.gingiva_distance, p.lengthened});
   p.group_at.assign(surface.vertices(), mesh::none);
-  p.solver = std::make_unique<field::Solver>(surface, std::move(weight), p.nodes, executor,
-                                             progress.part(0.3, 1, "factorisation"), left_to_the_factor(p));
+  p.solver = std::make_shared<const field::Solver>(surface, std::move(weight), p.nodes, executor,
+                                                   progress.part(0.3, 1, "factorisation"), left_to_the_factor(p));
   p.outlier = options.reject_outliers ? field::find_outliers(*p.solver, p.nodes, convexity)
                                       : Vec<std::uint8_t>(p.nodes.size(), 0);
 

@@ -6,11 +6,22 @@
 
 #include "cut/space.h"
 #include "features/features.h"
+#include "field/border.h"
 #include "field/outliers.h"
 #include "tooth/segmenter.h"
 
 namespace ts::tooth {
 
+// What no group changes.
+struct Relief {
+  Vec<double> concavity;   // a vertex, 1/mm
+  Vec<double> length;      // an edge, mm
+  Vec<double> price;       // an edge: of the min-cut that runs along it
+  Vec<double> cotangent;   // an edge, for the smoothing of lines
+  Vec<double> click_cost;  // an edge
+};
+
+// A copy shares all that is large but what there is a vertex: groups are added to a copy (make_group).
 struct Prepared {
   const mesh::Surface *surface = nullptr;
   const Executor *executor = nullptr;
@@ -18,29 +29,29 @@ struct Prepared {
   bool inside_out = false;  // the faces look inwards
   Vec3 occlusal = Vec3::Zero();
   Index groups = 0;
-  Vec<Index> live;           // groups with a point in use, ascending: along the arch
+  Index found = 0;           // groups of the features; those made by clicks come after them
+  Vec<Index> live;           // groups with a point in use, along the arch
   field::Sites sites;        // the points in use
   Vec<Index> group_at;       // a vertex: the group of the point there, or none; rejected points left out
   Vec<Vec<Index>> rejected;  // a group: places in Group::points
-  Vec<double> concavity;     // a vertex, 1/mm
-  double lengthened = 1;     // of paths, by noise
-  double widened = 1;        // of areas, by noise
-  Vec<double> length;        // an edge, mm
-  Vec<double> price;         // an edge: of the min-cut that runs along it
-  Vec<double> width;         // a group: of its stretch of the arch, mm; 0 if unknown
-  Vec<Vec3> along;           // a group: unit vector along the arch; zero if unknown
-  Vec<double> cotangent;     // an edge, for the smoothing of lines
-  Vec<double> click_cost;    // an edge
+  std::shared_ptr<const Relief> relief;
+  double lengthened = 1;  // of paths, by noise
+  double widened = 1;     // of areas, by noise
+  Vec<double> width;      // a group: of its stretch of the arch, mm; 0 if unknown
+  Vec<Vec3> along;        // a group: unit vector along the arch; zero if unknown
   field::Nodes nodes;
   Vec<std::uint8_t> outlier;  // a node
   Vec<Vec<Index>> seeds;      // a group: vertices held as its constraint, ascending
-  std::unique_ptr<const field::Solver> solver;
-  mutable std::unique_ptr<cut::Spaces> spaces = std::make_unique<cut::Spaces>();
+  std::shared_ptr<const field::Solver> solver;
+  Vec<Vec<Index>> added;                        // the vertices of nodes that clicks added after the solver's
+  std::shared_ptr<const field::Border> border;  // of these; null without any
+  std::shared_ptr<cut::Spaces> spaces = std::make_shared<cut::Spaces>();
   PrepareTimes times;
 
   // Of all but the solver.
   std::size_t bytes() const {
-    return sizeof(double) * (concavity.size() + length.size() + price.size() + cotangent.size() + click_cost.size()) +
+    return sizeof(double) * (relief->concavity.size() + relief->length.size() + relief->price.size() +
+                             relief->cotangent.size() + relief->click_cost.size()) +
            sizeof(Index) * (group_at.size() + nodes.of_vertex.size() + nodes.vertices.item.size());
   }
 

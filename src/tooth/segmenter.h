@@ -30,8 +30,13 @@ struct Memory {
   std::size_t click = 0;                     // of the work space of a tooth
 };
 
+struct Prepared;
+// The groups that a click is made among where clicks before have made some; null: those of the features.
+using Among = std::shared_ptr<const Prepared>;
+
 struct Click {
   mesh::SurfacePoint at;
+  Among among;                               // after it: it may have made a group itself
   Index target = mesh::none;                 // index of the group clicked
   Index neighbour = mesh::none;              // of the group separated with it; none if there is but one
   double target_distance = 0;                // along the surface, in the metric of the options, mm
@@ -71,10 +76,13 @@ class Segmenter {
   Segmenter(Segmenter &&) noexcept;
   Segmenter &operator=(Segmenter &&) noexcept;
 
-  // Separates the tooth at `at` and its neighbour. Depends on nothing but the segmenter, the point and the groups
-  // `separated` before, which are passed over where there is another neighbour.
+  // Separates the tooth at `at` and its neighbour. Depends on nothing but the segmenter, the point, the groups
+  // `separated` before, which are passed over where there is another neighbour, and those that clicks have made. Where
+  // a tooth's own field decides, the target's tooth holds the point: where the closest group's does not, it is that of
+  // the group with most of the field there, or of one made of the click, whose index is the next.
   // Throws click_off_surface, click_on_gingiva, no_cut, cancelled.
-  Click click(const mesh::SurfacePoint &at, std::span<const Index> separated = {}, const Progress &progress = {}) const;
+  Click click(const mesh::SurfacePoint &at, std::span<const Index> separated = {}, const Progress &progress = {},
+              const Among &among = {}) const;
 
   // What came of one click of several: a click, or the fault.
   struct Outcome {
@@ -85,7 +93,7 @@ class Segmenter {
 
   // Several clicks in parallel, with the outcome of the same clicks one after the other.
   Vec<Outcome> clicks(std::span<const mesh::SurfacePoint> at, std::span<const Index> separated,
-                      const Progress &progress = {}) const;
+                      const Progress &progress = {}, const Among &among = {}) const;
 
   ClickDetails details(const Click &click) const;
   ClickView view(const Click &click, const Progress &progress = {}) const;
@@ -96,7 +104,7 @@ class Segmenter {
   const Options &options() const;
   const PrepareTimes &times() const;
   Memory memory() const;
-  Index groups() const;
+  Index groups() const;  // of the features
   // The feature points of a group that contradicted the field and are not used: indices into Group::points.
   const Vec<Index> &rejected_points(Index group) const;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "tooth/prepared.h"
+
 namespace ts::tooth {
 
 Index Session::add(Click click) {
@@ -17,6 +19,7 @@ Index Session::add(Click click) {
     else
       entries_.insert(at, {group, number, std::move(own)});
   }
+  if (click.among) among_ = click.among;
   click.teeth.clear();
   clicks_.push_back(std::move(click));
   return number;
@@ -30,6 +33,9 @@ const Click &Session::click(Index number) const {
 Vec<Index> Session::teeth() const {
   Vec<Index> groups;
   for (const Entry &e : entries_) groups.push_back(e.group);
+  // Those of the features are along the arch in their own order.
+  if (among_)
+    std::ranges::sort(groups, {}, [&](Index g) { return std::ranges::find(among_->live, g) - among_->live.begin(); });
   return groups;
 }
 

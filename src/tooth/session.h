@@ -1,4 +1,5 @@
-// The teeth separated so far. Any order of the same clicks gives the same teeth and labels.
+// The teeth separated so far. Any order of the same clicks gives the same teeth and labels, unless one makes a group:
+// then it is there for those after it.
 #pragma once
 
 #include "tooth/segmenter.h"
@@ -13,10 +14,11 @@ class Session {
   Index add(Click click);
 
   Index clicks() const { return static_cast<Index>(clicks_.size()); }
-  const Click &click(Index number) const;  // its teeth have been taken out
-  Vec<Index> teeth() const;                // groups with a tooth, ascending: along the arch
-  const Tooth *tooth(Index group) const;   // nullptr if not separated
-  Index click_of(Index group) const;       // the click that separated it last
+  const Click &click(Index number) const;        // its teeth have been taken out
+  Vec<Index> teeth() const;                      // groups with a tooth, along the arch
+  const Tooth *tooth(Index group) const;         // nullptr if not separated
+  const Among &among() const { return among_; }  // for the next click
+  Index click_of(Index group) const;             // the click that separated it last
 
   // A label a model face: 0 or group + 1. A face of two teeth belongs to the one with the nearest seed.
   Vec<std::uint32_t> labels() const;
@@ -30,6 +32,7 @@ class Session {
 
   const mesh::Surface *surface_;
   Vec<Click> clicks_;
+  Among among_;
   Vec<Entry> entries_;  // by group
 };
 

@@ -21,6 +21,7 @@ enum Warning : std::uint32_t {
   width = 64,
   two_groups = 128,
   flat_top = 256,
+  made_by_click = 512,
 };
 
 struct Cut {
@@ -31,7 +32,7 @@ struct Cut {
 };
 
 struct Tooth {
-  Index group = mesh::none;  // index into Features::groups
+  Index group = mesh::none;  // index into Features::groups; from their number on: made by a click
   Vec<Index> faces;          // ascending
   Vec<Index> vertices;       // of these faces, ascending
   Vec<Index> seeds;          // vertices held as its constraint, ascending

@@ -1,0 +1,36 @@
+// L^-1 E for a few free vertices: the first half of a solve, on the paths to the root of the tree alone.
+#pragma once
+
+#include "field/solution.h"
+
+namespace ts::field {
+
+// What is put into a vertex goes to the root: a part keeps y = L11^-1 b of what comes to it, and passes b on to the
+// rows it touches as -L21 L11^-1 b. What comes to the nodes is the vertex' harmonic measure.
+class Forward {
+ public:
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  // A column for each of `places`, which are of free vertices and differ.
+  Forward(const Factor &factor, std::span<const Index> places);
+
+  Index columns() const { return columns_; }
+  // A row for each place given: the share of each node in its value.
+  Eigen::MatrixXd measures() const { return block(part_.size()).transpose(); }
+  // Y^T other.Y, which is A^-1 between the two sets of places.
+  Eigen::MatrixXd products(const Forward &other) const;
+  // Y flux, as a solution takes it.
+  Source source(const Eigen::VectorXd &flux) const;
+
+ private:
+  Eigen::Map<const Rows> block(std::size_t i) const {
+    return {value_.data() + start_[i] * columns_, static_cast<Eigen::Index>(start_[i + 1] - start_[i]), columns_};
+  }
+
+  Index columns_ = 0;
+  Vec<Index> part_;         // those on the paths, ascending: children first
+  Vec<std::size_t> start_;  // of each part's rows; then of the nodes', and their end
+  Vec<double> value_;       // row by row
+};
+
+}  // namespace ts::field
