@@ -93,43 +93,40 @@ bool own_field_decides(const Options &o) {
   return o.background == Background::all && o.cut_rule != CutRule::gradient;
 }
 
+double own_iso(const Prepared &p, const Pick &pick, Fields &fields, bool of_target) {
+  double level = 0.5;
+  if (p.options.cut_rule == CutRule::component) {
+    level = best_level(
+        p, of_target ? pick.target : pick.neighbour, [&](Index v) { return 1 - fields.own(v, of_target); },
+        own_levels());
+    if (std::isnan(level)) level = 0.5;  // no border at any level: a piece of the scan that is all tooth
+  }
+  // Of the field of a tooth's own 0 to 1 is 0 to 1/2 of u.
+  return of_target ? level / 2 : 1 - level / 2;
+}
+
 Selection select_cuts(const Prepared &p, const Pick &pick, Fields &fields) {
   Selection s;
-  s.v_med = s.target_iso = s.neighbour_iso = std::numeric_limits<double>::quiet_NaN();
-  const bool own = own_field_decides(p.options);
-  Vec<double> u;
-  if (!own) {
-    u = fields.all_of_u();
-    s.v_med = cut::histogram(u, p.options.histogram_bins).v_med;
-  }
+  const Vec<double> u = fields.all_of_u();
+  const double v_med = cut::histogram(u, p.options.histogram_bins).v_med;
   switch (p.options.cut_rule) {
     case CutRule::half:
-      s.target_iso = p.options.background == Background::all ? 0.25 : s.v_med / 2;
-      s.neighbour_iso = p.options.background == Background::all ? 0.75 : (1 + s.v_med) / 2;
+      s.target_iso = v_med / 2;
+      s.neighbour_iso = (1 + v_med) / 2;
       break;
     case CutRule::gradient: {
       const Vec<cut::Score> scores = cut::score_all(*p.surface, u, p.relief->concavity, p.options.contours);
-      const cut::Chosen chosen = cut::largest_gradient(scores, s.v_med);
+      const cut::Chosen chosen = cut::largest_gradient(scores, v_med);
       if (chosen.target != SIZE_MAX) s.target_iso = cut::iso_value(chosen.target, scores.size());
       if (chosen.neighbour != SIZE_MAX) s.neighbour_iso = cut::iso_value(chosen.neighbour, scores.size());
       break;
     }
     case CutRule::component:
-      // Of the field of a tooth's own 0 to 1 is 0 to 1/2 of u.
       p.executor->each(pick.neighbour != mesh::none ? 2 : 1, [&](std::size_t i) {
         const bool target = i == 0;
-        const Index group = target ? pick.target : pick.neighbour;
-        double level;
-        if (own) {
-          level = best_level(
-              p, group, [&](Index v) { return 1 - fields.own(v, target); }, own_levels());
-          // No border at any level: a piece of the scan that is all tooth.
-          level = (std::isnan(level) ? 0.5 : level) / 2;
-        } else {
-          level = best_level(
-              p, group, [&](Index v) { return target ? u[v] : 1 - u[v]; },
-              sampled_levels(p.options, target ? s.v_med : 1 - s.v_med));
-        }
+        const double level = best_level(
+            p, target ? pick.target : pick.neighbour, [&](Index v) { return target ? u[v] : 1 - u[v]; },
+            sampled_levels(p.options, target ? v_med : 1 - v_med));
         (target ? s.target_iso : s.neighbour_iso) = target ? level : 1 - level;
       });
       break;

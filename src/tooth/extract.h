@@ -1,6 +1,8 @@
 // From the fields of a click to its teeth.
 #pragma once
 
+#include <limits>
+
 #include "cut/select.h"
 #include "tooth/pick.h"
 
@@ -35,13 +37,14 @@ class Fields {
 // whole.
 bool own_field_decides(const Options &options);
 
-// The cuts chosen on u: iso-values, NaN where there is none. V_med is looked at by the paper's rule only, which gives
-// it; NaN else.
+// The cuts chosen on u: iso-values, NaN where there is none.
 struct Selection {
-  double v_med = 0;
-  double target_iso = 0, neighbour_iso = 0;
+  double target_iso = std::numeric_limits<double>::quiet_NaN();
+  double neighbour_iso = std::numeric_limits<double>::quiet_NaN();
 };
 
+// Where a tooth's own field decides, that of one of the two teeth; else both.
+double own_iso(const Prepared &prepared, const Pick &pick, Fields &fields, bool of_target);
 Selection select_cuts(const Prepared &prepared, const Pick &pick, Fields &fields);
 
 // The tooth of `group`, what is measured on u along its cuts left out. Throws Fault::no_cut.

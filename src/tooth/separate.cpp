@@ -32,14 +32,15 @@ bool holds(const Tooth &tooth, const mesh::SurfacePoint &at) {
   return std::ranges::binary_search(tooth.faces, at.face);
 }
 
-// The group that most of the field at the click is of; none if that is the gingiva by far.
-Index strongest_at(const Prepared &p, const mesh::SurfacePoint &at) {
+// The group that most of the field at the click is of, `target` left out; none if there is no other.
+Index strongest_at(const Prepared &p, const mesh::SurfacePoint &at, Index target) {
   const Eigen::VectorXd share = shares_at(p, at);
-  if (p.nodes.gingiva != mesh::none && share[p.nodes.gingiva] > kGingiva) return mesh::none;
   Vec<double> of_group(p.groups, 0);
   for (Index n = 0; n < p.nodes.size(); ++n)
-    if (!p.outlier[n] && p.nodes.group[n] != field::gingiva_group) of_group[p.nodes.group[n]] += share[n];
-  return static_cast<Index>(std::ranges::max_element(of_group) - of_group.begin());
+    if (!p.outlier[n] && p.nodes.group[n] != field::gingiva_group && p.nodes.group[n] != target)
+      of_group[p.nodes.group[n]] += share[n];
+  const auto most = std::ranges::max_element(of_group);
+  return most != of_group.end() && *most > 0 ? static_cast<Index>(most - of_group.begin()) : mesh::none;
 }
 
 // From the groups to the teeth.
@@ -58,32 +59,39 @@ Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picke
   const double nodes_ms = watch.lap();
   progress.part(0.4, 0.5, "cut")(0);
 
-  const Selection selection = select_cuts(p, picked, fields);
-  click.target_iso = selection.target_iso;
-  click.neighbour_iso = selection.neighbour_iso;
-  click.ms.cut = watch.lap();
+  // Each tooth's level and cut are one task where they need nothing of the other's.
+  const bool own = own_field_decides(p.options);
+  Selection selection;
+  if (!own) selection = select_cuts(p, picked, fields);
+  double cut_ms[2] = {watch.lap(), 0};
   progress.part(0.5, 1, "label")(0);
 
   Tooth both[2];
   bool found = false;
   p.executor->each(picked.neighbour == mesh::none ? 1 : 2, [&](std::size_t k) {
-    if (k == 0) {
-      both[0] = extract_tooth(p, fields, selection, picked.target, true);
-    } else {
-      try {
-        both[1] = extract_tooth(p, fields, selection, picked.neighbour, false);
-        found = true;
-      } catch (const Error &e) {
-        if (e.fault() != Fault::no_cut) throw;  // the tooth clicked stands without its neighbour
-      }
+    const bool target = k == 0;
+    if (own) {
+      Stopwatch level;
+      (target ? selection.target_iso : selection.neighbour_iso) = own_iso(p, picked, fields, target);
+      cut_ms[k] += level.lap();
+    }
+    try {
+      both[k] = extract_tooth(p, fields, selection, target ? picked.target : picked.neighbour, target);
+      if (!target) found = true;
+    } catch (const Error &e) {
+      if (target || e.fault() != Fault::no_cut) throw;  // the tooth clicked stands without its neighbour
     }
   });
+  click.target_iso = selection.target_iso;
+  click.neighbour_iso = selection.neighbour_iso;
   for (int k = 0; k < 1 + found; ++k) {
     measure_cuts(p, fields, both[k]);
     click.teeth.push_back(std::move(both[k]));
   }
-  click.ms.label = watch.lap();
-  click.ms.total = click.ms.pick + nodes_ms + click.ms.cut + click.ms.label;
+  const double first = cut_ms[0], second = cut_ms[1];
+  click.ms.cut = p.executor->threads() > 1 ? std::max(first, second) : first + second;
+  click.ms.total = pick_ms + nodes_ms + (own ? 0 : first) + watch.lap();
+  click.ms.label = std::max(0.0, click.ms.total - pick_ms - nodes_ms - click.ms.cut);
   // The field is solved where the cut looks at it; the two teeth may do so at the same time.
   click.ms.field = nodes_ms + fields.milliseconds();
   click.field_bytes = fields.bytes();
@@ -117,8 +125,8 @@ std::optional<Click> separate(const Prepared &p, const mesh::SurfacePoint &at, c
 Click separate_by_evidence(const Prepared &p, const mesh::SurfacePoint &at, std::span<const Index> separated,
                            Index target, double pick_ms, const Progress &progress) {
   Stopwatch watch;
-  const Index group = strongest_at(p, at);
-  if (group != target && group != mesh::none) {
+  // Whatever the gingiva's share: its tooth holds the click, or it does not.
+  if (const Index group = strongest_at(p, at, target); group != mesh::none) {
     Pick picked = pick_group(p, at, group);
     settle(picked, separated);
     pick_ms += watch.lap();
