@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "field/dense.h"
 
@@ -42,9 +43,13 @@ void Solution::Space::clear() noexcept {
   parts.clear();
 }
 
-Solution::Solution(const Factor &factor, Pool<Space> &pool, std::span<const double> at_nodes, Source source)
-    : factor_(&factor), space_(pool.take([&] { return std::make_unique<Space>(factor); })), source_(std::move(source)) {
-  std::copy(at_nodes.begin(), at_nodes.end(), space_->x.begin() + factor.interior());
+Solution::Solution(const Factor &factor, Pool<Space> &pool, std::span<const double> at_nodes, Dark dark, Source source)
+    : factor_(&factor),
+      space_(pool.take([&] { return std::make_unique<Space>(factor); })),
+      dark_(std::move(dark)),
+      source_(std::move(source)) {
+  std::ranges::transform(at_nodes, space_->x.begin() + factor.interior(),
+                         [](double value) { return std::isnan(value) ? 0 : value; });
 }
 
 // With a part all others of its tile: what is asked of next lies beside it, and the panels of a tile lie in one piece.

@@ -40,13 +40,21 @@ class Solution {
     void clear() noexcept;
   };
 
-  // `at_nodes`: a value a node; `source` may be empty. Both are copied.
-  Solution(const Factor &factor, Pool<Space> &pool, std::span<const double> at_nodes, Source source = {});
+  // Pieces of the surface in which nothing is held: 1 a piece, empty if there is none. A part may lie in several
+  // pieces, so their values are reckoned with as zeros, not as NaN.
+  struct Dark {
+    std::span<const Index> piece_of;  // a vertex
+    Vec<std::uint8_t> piece;
+  };
+
+  // `at_nodes`: a value a node, NaN in dark pieces; `source` may be empty. All are copied.
+  Solution(const Factor &factor, Pool<Space> &pool, std::span<const double> at_nodes, Dark dark, Source source = {});
 
   // NaN on pieces left out, and where nothing held is in reach.
   double operator()(Index vertex) {
     const Index place = factor_->place(vertex);
-    if (place == mesh::none) return std::numeric_limits<double>::quiet_NaN();
+    if (place == mesh::none || (!dark_.piece.empty() && dark_.piece[dark_.piece_of[vertex]]))
+      return std::numeric_limits<double>::quiet_NaN();
     const double value = space_->x[place];
     if (std::bit_cast<std::uint64_t>(value) != kUnset) return value;
     evaluate(factor_->part_of(place));
@@ -67,6 +75,7 @@ class Solution {
 
   const Factor *factor_;
   Pool<Space>::Lease space_;
+  Dark dark_;
   Source source_;
   std::size_t bytes_ = 0;
   double milliseconds_ = 0;

@@ -16,7 +16,7 @@ Vec<std::uint8_t> pieces_with_node(const mesh::Surface &surface, const Vec<Index
 
 Solver::Solver(const mesh::Surface &surface, Vec<double> edge_weight, const Nodes &nodes, const Executor &executor,
                const Progress &progress, std::size_t most_bytes)
-    : node_of_(nodes.of_vertex) {
+    : node_of_(nodes.of_vertex), piece_of_(surface.vertex_component), pieces_(surface.components) {
   const Vec<std::uint8_t> used = pieces_with_node(surface, node_of_);
   Vec<Index> free;
   for (Index v = 0; v < surface.vertices(); ++v) {
@@ -37,11 +37,26 @@ Solver::Solver(const mesh::Surface &surface, Vec<double> edge_weight, const Node
       Laplacian{surface, std::move(edge_weight), node_of_, static_cast<Index>(nodes.size())}, std::move(dissection),
       place, most_bytes > own ? most_bytes - own : 0, executor, progress.part(0.2, 1, "factorisation"));
   nodal_ = Nodal(factor_->corner());
+  for (Index v = 0; v < surface.vertices(); ++v)
+    if (const Index piece = surface.vertex_component[v]; node_of_[v] != mesh::none && piece != mesh::none)
+      touched_.emplace_back(node_of_[v], piece);
+  std::ranges::sort(touched_);
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   progress(1);
 }
 
 Solution Solver::extend(const Eigen::VectorXd &at_nodes, Source source) const {
-  return {*factor_, spaces_, {at_nodes.data(), static_cast<std::size_t>(at_nodes.size())}, std::move(source)};
+  Solution::Dark dark{piece_of_, {}};
+  if (at_nodes.hasNaN()) {
+    dark.piece.assign(pieces_, 1);
+    for (const auto &[node, piece] : touched_)
+      if (!std::isnan(at_nodes[static_cast<Eigen::Index>(node)])) dark.piece[piece] = 0;
+  }
+  return {*factor_,
+          spaces_,
+          {at_nodes.data(), static_cast<std::size_t>(at_nodes.size())},
+          std::move(dark),
+          std::move(source)};
 }
 
 Vec<double> Solver::extend_to_all(const Eigen::VectorXd &at_nodes) const {

@@ -50,6 +50,9 @@ class Solver {
   Vec<Index> node_of_;
   std::unique_ptr<const Factor> factor_;
   Nodal nodal_;
+  std::span<const Index> piece_of_;  // a vertex: its piece of the surface
+  Index pieces_ = 0;
+  Vec<std::pair<Index, Index>> touched_;  // nodes and the pieces they lie in
   mutable Pool<Solution::Space> spaces_;
 };
 

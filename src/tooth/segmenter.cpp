@@ -27,12 +27,13 @@ Click one_click(const Prepared &p, const Among &among, const mesh::SurfacePoint 
   Pick picked = take(p, at);
   settle(picked, separated);
   const double pick_ms = watch.lap();
-  std::optional<Click> click = separate(p, at, picked, pick_ms, progress);
-  if (!click)
-    click =
-        separate_by_evidence(p, at, separated, picked.target, pick_ms + watch.lap(), progress.part(1, 1, "evidence"));
-  if (!click->among) click->among = among;
-  return std::move(*click);
+  bool evidence = false;
+  Click click = separate(p, at, picked, pick_ms, progress, evidence);
+  if (evidence)
+    click = separate_by_evidence(p, at, separated, std::move(click), pick_ms + watch.lap(),
+                                 progress.part(1, 1, "evidence"));
+  if (!click.among) click.among = among;
+  return click;
 }
 
 template <class Work>
@@ -82,9 +83,8 @@ Vec<Segmenter::Outcome> Segmenter::clicks(std::span<const mesh::SurfacePoint> at
   });
   const auto run = [&](std::size_t i) {
     attempt(outcomes[i], [&] {
-      outcomes[i].click = separate(p, at[i], attempts[i].used, attempts[i].ms, {});
-      attempts[i].evidence = !outcomes[i].click;
-      if (outcomes[i].click) outcomes[i].click->among = among;
+      outcomes[i].click = separate(p, at[i], attempts[i].used, attempts[i].ms, {}, attempts[i].evidence);
+      outcomes[i].click->among = among;
     });
   };
   // As if all clicks succeeded.

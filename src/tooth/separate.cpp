@@ -18,6 +18,9 @@ constexpr double kGingiva = 0.8;
 // which something as large as a tooth can be cut out (with kGingiva 25), and 102 of the 112 crowns cut out well (64).
 constexpr double kEnclosed = 0.3;
 
+// mm. Borders of labelled crowns lie .45 from ours at the 95th percentile (docs/accuracy.md).
+constexpr double kEdge = 1;
+
 // How much of the field at the click is each node's.
 Eigen::VectorXd shares_at(const Prepared &p, const mesh::SurfacePoint &at) {
   Eigen::VectorXd share = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(p.nodes.size()));
@@ -41,6 +44,16 @@ Index strongest_at(const Prepared &p, const mesh::SurfacePoint &at, Index target
       of_group[p.nodes.group[n]] += share[n];
   const auto most = std::ranges::max_element(of_group);
   return most != of_group.end() && *most > 0 ? static_cast<Index>(most - of_group.begin()) : mesh::none;
+}
+
+bool on_gingiva(const Prepared &p, const mesh::SurfacePoint &at) {
+  return p.nodes.gingiva != mesh::none && shares_at(p, at)[p.nodes.gingiva] > kGingiva;
+}
+
+// At the edge of a tooth: where it ends is known to about as much, and no other tooth lies under the click.
+bool beside(const Prepared &p, const Tooth &tooth, const mesh::SurfacePoint &at) {
+  return std::ranges::any_of(tooth.vertices,
+                             [&](Index v) { return (p.surface->position[v] - at.position).norm() < kEdge; });
 }
 
 // From the groups to the teeth.
@@ -99,45 +112,10 @@ Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picke
   return click;
 }
 
-}  // namespace
-
-Pick take(const Prepared &p, const mesh::SurfacePoint &at) {
-  if (at.distance > p.options.click_reach)
-    throw Error(Fault::click_off_surface, "the click is " + std::to_string(at.distance) + " mm from the surface");
-  const Pick picked = pick(p, at);
-  if (picked.target == mesh::none)
-    throw Error(Fault::click_on_gingiva, "the click is on a piece of the surface without feature points");
-  return picked;
-}
-
-std::optional<Click> separate(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picked, double pick_ms,
-                              const Progress &progress) {
-  Click click = cut_out(p, at, picked, pick_ms, progress);
-  if (holds(click.teeth[0], at)) return click;
-  if (own_field_decides(p.options)) return std::nullopt;
-  if (p.nodes.gingiva != mesh::none && shares_at(p, at)[p.nodes.gingiva] > kGingiva)
-    throw Error(Fault::click_on_gingiva, "the click lies on gingiva or base, " +
-                                             std::to_string(picked.target_distance) +
-                                             " from the nearest feature point");
-  return click;
-}
-
-Click separate_by_evidence(const Prepared &p, const mesh::SurfacePoint &at, std::span<const Index> separated,
-                           Index target, double pick_ms, const Progress &progress) {
+// The tooth of a group made of the click, and its neighbour.
+Click separate_made(const Prepared &p, const mesh::SurfacePoint &at, std::span<const Index> separated, double pick_ms,
+                    const Progress &progress) {
   Stopwatch watch;
-  // Whatever the gingiva's share: its tooth holds the click, or it does not.
-  if (const Index group = strongest_at(p, at, target); group != mesh::none) {
-    Pick picked = pick_group(p, at, group);
-    settle(picked, separated);
-    pick_ms += watch.lap();
-    try {
-      Click click = cut_out(p, at, picked, pick_ms, progress.part(0, 0.5, "evidence"));
-      if (holds(click.teeth[0], at)) return click;
-    } catch (const Error &e) {
-      if (e.fault() != Fault::no_cut) throw;  // then it is not what was clicked
-    }
-    pick_ms += watch.lap();
-  }
   std::shared_ptr<const Prepared> made = make_group(p, at);
   if (const auto last = static_cast<Eigen::Index>(made->nodes.size()) - 1;
       made->border->schur()(last, last) > kEnclosed)
@@ -149,13 +127,62 @@ Click separate_by_evidence(const Prepared &p, const mesh::SurfacePoint &at, std:
     std::swap(picked.neighbour, picked.other);
   settle(picked, separated);
   pick_ms += watch.lap();
-  Click click = cut_out(*made, at, picked, pick_ms, progress.part(0.5, 1, "evidence"));
+  Click click = cut_out(*made, at, picked, pick_ms, progress);
   const Tooth &tooth = click.teeth[0];
   if (!holds(tooth, at) || (tooth.warnings & Warning::area_small))
     throw Error(Fault::click_on_gingiva,
                 "the click lies on no crown: around it " + std::to_string(tooth.area) + " mm^2 can be cut out");
   click.among = std::move(made);
   return click;
+}
+
+}  // namespace
+
+Pick take(const Prepared &p, const mesh::SurfacePoint &at) {
+  if (at.distance > p.options.click_reach)
+    throw Error(Fault::click_off_surface, "the click is " + std::to_string(at.distance) + " mm from the surface");
+  const Pick picked = pick(p, at);
+  if (picked.target == mesh::none)
+    throw Error(Fault::click_on_gingiva, "the click is on a piece of the surface without feature points");
+  return picked;
+}
+
+Click separate(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picked, double pick_ms,
+               const Progress &progress, bool &evidence) {
+  Click click = cut_out(p, at, picked, pick_ms, progress);
+  evidence = false;
+  if (holds(click.teeth[0], at)) return click;
+  evidence = own_field_decides(p.options);
+  if (!evidence && on_gingiva(p, at))
+    throw Error(Fault::click_on_gingiva, "the click lies on gingiva or base, " +
+                                             std::to_string(picked.target_distance) +
+                                             " from the nearest feature point");
+  return click;
+}
+
+Click separate_by_evidence(const Prepared &p, const mesh::SurfacePoint &at, std::span<const Index> separated,
+                           Click first, double pick_ms, const Progress &progress) {
+  Stopwatch watch;
+  // Whatever the gingiva's share: its tooth holds the click, or it does not.
+  if (const Index group = strongest_at(p, at, first.target); group != mesh::none) {
+    Pick picked = pick_group(p, at, group);
+    settle(picked, separated);
+    pick_ms += watch.lap();
+    try {
+      Click click = cut_out(p, at, picked, pick_ms, progress.part(0, 0.5, "evidence"));
+      if (holds(click.teeth[0], at)) return click;
+    } catch (const Error &e) {
+      if (e.fault() != Fault::no_cut) throw;  // then it is not what was clicked
+    }
+    pick_ms += watch.lap();
+  }
+  try {
+    return separate_made(p, at, separated, pick_ms + watch.lap(), progress.part(0.5, 1, "evidence"));
+  } catch (const Error &e) {
+    const bool none = e.fault() == Fault::no_cut || e.fault() == Fault::click_on_gingiva;
+    if (!none || !beside(p, first.teeth[0], at) || on_gingiva(p, at)) throw;
+    return first;
+  }
 }
 
 }  // namespace ts::tooth
