@@ -183,6 +183,25 @@ TEST_CASE("pieces without a node are left out; pieces without a held one are NaN
   CHECK(solver.measure(2 * n + 5).sum() == 0);
 }
 
+TEST_CASE("pieces that lie within each other: one in which nothing is held is NaN, and the other is as if alone") {
+  const mesh::Surface one = forms::plane(4, 4, 12, 12);
+  Vec<mesh::Vec3> p = one.position;
+  Vec<mesh::Triangle> t = one.triangle;
+  const Index n = static_cast<Index>(one.vertices());
+  for (const auto &q : one.position) p.push_back(q + mesh::Vec3(0.1, 0.1, 0.05));  // parts of the factor hold both
+  for (const auto &f : one.triangle) t.push_back({f[0] + n, f[1] + n, f[2] + n});
+  const mesh::Surface s = mesh::make_surface(p, t);
+  const Nodes nodes = single_vertices(s, {30, 120, n + 60}, {0, 1, 2}, 3);
+  const Solver solver(s, Vec<double>(s.edge.size(), 1), nodes, Executor(1));
+  const Vec<double> u = solver.extend_to_all(solver.solve_nodes(Vec<double>{0, 1, free_node}, 1e8));
+  const Solver alone(one, Vec<double>(one.edge.size(), 1), single_vertices(one, {30, 120}, {0, 1}, 2), Executor(1));
+  const Vec<double> expected = alone.extend_to_all(alone.solve_nodes(Vec<double>{0, 1}, 1e8));
+  for (Index v = 0; v < n; ++v) {
+    CHECK(std::abs(u[v] - expected[v]) < 1e-12);
+    CHECK(std::isnan(u[n + v]));
+  }
+}
+
 TEST_CASE("a point on the wrong side of a seam is an outlier; the points on their own side are not") {
   const mesh::Surface s = forms::plane(12, 6, 48, 24);
   Vec<double> w(s.edge.size(), 1);
