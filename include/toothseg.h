@@ -495,7 +495,7 @@ TS_API void ts_segmentation_destroy(ts_segmentation *segmentation);
  *  With everything else as background, as the default preset has it, the click is evidence: where the tooth of the
  *  closest group does not hold the click, the target is the group that the field at the click is most of; where that
  *  one's tooth does not hold it either, the click makes a group of its own, held on a disc of seed_radius
- *  (TS_WARN_MADE_BY_CLICK). A click that succeeds gives the tooth that it lies on. A group made by a click belongs to
+ *  (TS_WARN_MADE_BY_CLICK). A click that succeeds gives the tooth that it lies on, or, on no other, within 1 mm of. A group made by a click belongs to
  *  the segmentation, not to the features: later clicks find it and have it as background; its id is the smallest larger
  *  than those of all groups of the features and of those made before it. TS_E_CLICK_ON_GINGIVA also where what could be
  *  cut out around the click is no tooth.
@@ -512,17 +512,18 @@ TS_API TS_NODISCARD ts_status ts_segment_click(ts_segmentation *segmentation, co
 TS_API TS_NODISCARD ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positions, uint32_t count,
                                                 ts_job *job, ts_status *statuses);
 
-/** The fewest clicks that cover every group of the features not yet separated (paper: N/2, or N/2 + 1 in all): 3 doubles a click, to be
- *  given to ts_segment_clicks. No clicks once all are separated. */
+/** The fewest clicks that cover every group of the features not yet separated (paper: N/2, or N/2 + 1 in all): 3 doubles
+ *  a click, to be given to ts_segment_clicks. No clicks once all are separated. */
 TS_API TS_NODISCARD ts_status ts_propose_clicks(const ts_segmentation *segmentation, double *positions, uint32_t capacity,
                                                 uint32_t *count);
 
 /* --------------------------------------------------------------------------------------------------------- results */
 
-/** Milliseconds a stage took (paper, Fig. 11). */
+/** Milliseconds a stage took (paper, Fig. 11). With the default preset the field is solved where the cut looks at it:
+ *  then `field` is the share of that in `cut` and `label`, and not added to `total` again. */
 typedef struct ts_click_times {
   double pick;  /**< click to groups */
-  double field; /**< solve */
+  double field; /**< solve; of the slower of the two teeth where they are worked out at the same time */
   double cut;   /**< contours and selection */
   double label; /**< faces, refinement, labels */
   double total;
@@ -535,7 +536,7 @@ typedef struct ts_click_info {
                                   ts_get_tooth says TS_E_NOT_FOUND: the tooth clicked stands alone */
   double position[3];        /**< the surface point taken, mm */
   double target_distance;    /**< along the surface to the closest point of each, in the metric of the options */
-  double neighbour_distance;
+  double neighbour_distance; /**< this and v_med are worked out when a click's info is first asked for */
   double v_med;              /**< centre of the fullest bin (Fig. 4C) */
   double target_iso;         /**< chosen iso-values */
   double neighbour_iso;      /**< NaN if there is no neighbour */
