@@ -124,7 +124,6 @@ void drop_unreached(const Surface &s, const Vec<Index> &near, bool negative, std
 
 Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> length, std::span<const double> cotangent,
                           double radius, std::span<const Index> seeds, Space &space) {
-  keep_seeded(surface, seeds, space.inside);
   const Vec<geometry::PathStart> mixed = set_sides(surface, space);
   // Two rings at least, so that the line cannot leave what is looked at.
   const std::span<const Index> reached = space.paths.within(

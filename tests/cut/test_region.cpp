@@ -236,6 +236,7 @@ TEST_CASE("islands without a seed have no line; a region at the border has an op
   Space space(s);
   fill(s, space, [&](Index f) { return in_disc(s, 5, 8, 3)(f) || in_disc(s, 13, 8, 1)(f); });
   Index seed = vertex_at(s, 5, 8);
+  keep_seeded(s, {&seed, 1}, space.inside);
   const Vec<Polyline> one = smooth_line(s, lengths(s), cot, 0.2, {&seed, 1}, space);
   REQUIRE(one.size() == 1);
   for (const EdgePoint &p : one[0].points) CHECK(p.position.x() < 9);
