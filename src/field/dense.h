@@ -16,7 +16,6 @@ struct DenseKernels {
                  const double *inverse);
   // t[j] = - sum over i < rows of panel[i + j rows] x[i], for k columns; rows is a multiple of 8, panel and x aligned.
   void (*minus_dots)(const double *panel, std::size_t rows, std::size_t k, const double *x, double *t);
-  const char *name;
 };
 
 // All of them do the same multiplications and additions in the same order, eight at a time and never fused, so every

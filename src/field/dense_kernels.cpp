@@ -152,9 +152,7 @@ void minus_dots(const double *panel, size_t rows, size_t k, const double *x, dou
 
 }  // namespace
 
-#define TS_TEXT2(x) #x
-#define TS_TEXT(x) TS_TEXT2(x)
 extern const DenseKernels kernels;
-const DenseKernels kernels = {eliminate, divide, minus_dots, TS_TEXT(TS_KERNELS)};
+const DenseKernels kernels = {eliminate, divide, minus_dots};
 
 }  // namespace ts::field::TS_KERNELS

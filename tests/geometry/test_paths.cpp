@@ -82,3 +82,28 @@ TEST_CASE("the gradient of a linear function is exact on every face") {
     CHECK((found - in_plane).norm() < 1e-9);
   }
 }
+
+TEST_CASE("what is within a distance is what a search finds, and at the same distances, however uneven the costs") {
+  const mesh::Surface s = forms::plane(10, 10, 40, 40);
+  PathFinder finder(s);
+  std::uint32_t state = 9;
+  for (const double spread : {0.0, 2.0, 8.0}) {
+    Vec<double> cost(s.edge.size());
+    for (double &c : cost) {
+      state = state * 1664525u + 1013904223u;
+      c = std::pow(10.0, spread * (double(state >> 8) / 16777216.0 - 0.5));
+    }
+    const PathStart starts[] = {{5, 0}, {900, 0.25}};
+    const auto of = [&](Index e) { return cost[e]; };
+    for (const double limit : {0.5, 3.0, 1e9}) {
+      Vec<double> expected(s.vertices(), -1), found(s.vertices(), -1);
+      finder.search(starts, of, [&](Index v, double d, Index) {
+        if (d > limit) return false;
+        expected[v] = d;
+        return true;
+      });
+      for (const Index v : finder.within(starts, of, limit)) found[v] = finder.distance(v);
+      CHECK(found == expected);
+    }
+  }
+}
