@@ -10,7 +10,8 @@ namespace ts::cut {
 // The connected set of faces with mean phi < level that touch a seed vertex, as the level rises.
 class Growth {
  public:
-  // `inside` is clean at first and belongs to the growth from then on, but for faces filled and taken out again.
+  // `phi` is looked at as long as the growth is used. `inside` is clean at first and belongs to the growth from then
+  // on, but for faces filled and taken out again.
   Growth(const Surface &surface, Values phi, std::span<const Index> seeds, Mask &inside);
 
   // Levels must not fall. Faces with a NaN stay outside.

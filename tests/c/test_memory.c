@@ -90,7 +90,7 @@ static void a_batch_of_ten_thousand(void) {
   ts_segmentation *few = NULL;
   ts_memory_info m;
   CHECK(n >= 2);
-  for (i = 0; i < count; ++i) memcpy(clicks + 3 * (size_t)i, places + (i % 3 == 2 ? 3 : 0), 3 * sizeof *clicks);
+  for (i = 0; i < 3 * count; ++i) clicks[i] = places[(i / 3 % 3 == 2 ? 3 : 0) + i % 3];
   CHECK_STATUS(ts_segment_clicks(small.segmentation, clicks, count, NULL, statuses), TS_OK);
   for (i = 0; i < count; ++i) failed += statuses[i] != TS_OK;
   CHECK(failed == 0);

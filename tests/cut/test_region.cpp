@@ -114,10 +114,10 @@ TEST_CASE("a region is the part of phi < 0 with the seeds; holes close, but not 
   }
   const Index seed = vertex_at(s, 13, 10);
   Space space(s);
+  const auto value = [&](Index v) { return phi[v]; };
   const auto grown = [&] {
     space.clear();
-    Growth growth(
-        s, [&](Index v) { return phi[v]; }, {&seed, 1}, space.inside);
+    Growth growth(s, value, {&seed, 1}, space.inside);
     growth.rise(0);
     CHECK(growth.area() == doctest::Approx(area_of(s, faces_of(space.inside))));
     return growth.beside();
