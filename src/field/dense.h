@@ -14,8 +14,12 @@ struct DenseKernels {
   // panel L^-1 in place: `rows` x k, rows a multiple of 8; L lower triangular, its diagonal as `inverse`.
   void (*divide)(double *panel, std::size_t rows, std::size_t k, const double *l, std::size_t ld,
                  const double *inverse);
-  // t[j] = - sum over i < rows of panel[i + j rows] x[i], for k columns; rows is a multiple of 8, panel and x aligned.
-  void (*minus_dots)(const double *panel, std::size_t rows, std::size_t k, const double *x, double *t);
+  // out[i k + j] = columns[i + j stride] for `rows` x k.
+  void (*transpose)(const double *columns, std::size_t stride, std::size_t rows, std::size_t k, double *out);
+  // out[j] = - sum over i < rows of panel[i k + j] x[place[i]], for k columns. Up to seven values behind the panel are
+  // read, and nothing is made of them.
+  void (*minus_product)(const double *panel, std::size_t rows, std::size_t k, const unsigned *place, const double *x,
+                        double *out);
 };
 
 // All of them do the same multiplications and additions in the same order, eight at a time and never fused, so every

@@ -16,6 +16,15 @@ inline __attribute__((always_inline)) const Eight &at(const double *p) {
   return *reinterpret_cast<const Eight *>(p);
 }
 
+// The same where eight values do not begin at a multiple of 64 bytes.
+typedef double Loose __attribute__((vector_size(64), may_alias, aligned(8)));
+inline __attribute__((always_inline)) Loose &loose(double *p) {
+  return *reinterpret_cast<Loose *>(p);
+}
+inline __attribute__((always_inline)) const Loose &loose(const double *p) {
+  return *reinterpret_cast<const Loose *>(p);
+}
+
 constexpr size_t kBlock = 64;  // pivots taken at a time: 64 columns of a front stay in the second cache
 
 // C -= A B for rows [row, ld) of W columns of the front from `column` on: A the columns [from, to), B their rows
@@ -115,44 +124,58 @@ void divide(double *panel, size_t rows, size_t k, const double *l, size_t ld, co
   while (column-- > 0) divide<1>(panel, rows, column, k, l, ld, inverse);
 }
 
-inline __attribute__((always_inline)) double sum(const Eight &s) {
-  return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
-}
-
-// The same sums of four at once, added up in the same order.
-inline __attribute__((always_inline)) void sums(const Eight *s, double *t) {
-  typedef double Four __attribute__((vector_size(32)));
-  Four h[4];
-  for (size_t q = 0; q < 4; ++q)
-    h[q] = __builtin_shufflevector(s[q], s[q], 0, 1, 2, 3) + __builtin_shufflevector(s[q], s[q], 4, 5, 6, 7);
-  const Four a = __builtin_shufflevector(h[0], h[1], 0, 1, 4, 5) + __builtin_shufflevector(h[0], h[1], 2, 3, 6, 7);
-  const Four b = __builtin_shufflevector(h[2], h[3], 0, 1, 4, 5) + __builtin_shufflevector(h[2], h[3], 2, 3, 6, 7);
-  const Four all = __builtin_shufflevector(a, b, 0, 2, 4, 6) + __builtin_shufflevector(a, b, 1, 3, 5, 7);
-  for (size_t q = 0; q < 4; ++q) t[q] = all[q];
-}
-
-void minus_dots(const double *panel, size_t rows, size_t k, const double *x, double *t) {
-  size_t j = 0;
-  for (; j + 4 <= k; j += 4) {
-    const double *p = panel + j * rows;
-    Eight s[4] = {};
-    for (size_t i = 0; i < rows; i += 8) {
-      const Eight y = at(x + i);
-      for (size_t q = 0; q < 4; ++q) s[q] -= at(p + i + q * rows) * y;
+// out[j] = - sum over i < rows of panel[i k + j] x[place[i]] for the `width` columns from `column` on, of which V times
+// eight are read: what is read beyond them is left where it is. `chains` sums a column, so that additions overlap.
+template <size_t V, size_t chains>
+inline __attribute__((always_inline)) void minus_product(const double *panel, size_t rows, size_t k,
+                                                         const unsigned *place, const double *x, size_t width,
+                                                         double *out) {
+  Eight s[chains][V] = {};
+  size_t i = 0;
+  for (; i + chains <= rows; i += chains)
+    for (size_t c = 0; c < chains; ++c) {
+      const double y = x[place[i + c]];
+      for (size_t v = 0; v < V; ++v) s[c][v] -= loose(panel + (i + c) * k + 8 * v) * y;
     }
-    sums(s, t + j);
+  for (size_t c = 0; i < rows; ++i, ++c) {
+    const double y = x[place[i]];
+    for (size_t v = 0; v < V; ++v) s[c][v] -= loose(panel + i * k + 8 * v) * y;
   }
-  for (; j < k; ++j) {
-    const double *p = panel + j * rows;
-    Eight s = {};
-    for (size_t i = 0; i < rows; i += 8) s -= at(p + i) * at(x + i);
-    t[j] = sum(s);
+  for (size_t c = 1; c < chains; ++c)
+    for (size_t v = 0; v < V; ++v) s[0][v] += s[c][v];
+  for (size_t v = 0; v < V; ++v)
+    if (8 * v + 8 <= width)
+      loose(out + 8 * v) = s[0][v];
+    else
+      for (size_t j = 8 * v; j < width; ++j) out[j] = s[0][v][j - 8 * v];
+}
+
+void minus_product(const double *panel, size_t rows, size_t k, const unsigned *place, const double *x, double *out) {
+  size_t j = 0;
+  for (; j + 32 <= k; j += 32) minus_product<4, 1>(panel + j, rows, k, place, x, 32, out + j);
+  const size_t width = k - j;
+  if (width > 24)
+    minus_product<4, 1>(panel + j, rows, k, place, x, width, out + j);
+  else if (width > 16)
+    minus_product<3, 2>(panel + j, rows, k, place, x, width, out + j);
+  else if (width > 8)
+    minus_product<2, 2>(panel + j, rows, k, place, x, width, out + j);
+  else if (width > 0)
+    minus_product<1, 4>(panel + j, rows, k, place, x, width, out + j);
+}
+
+// 8 x 8 values at a time: columns of a multiple of 8 rows become rows of k values each.
+void transpose(const double *columns, size_t stride, size_t rows, size_t k, double *out) {
+  for (size_t i = 0; i < rows; i += 8) {
+    const size_t end = i + 8 < rows ? i + 8 : rows;
+    for (size_t j = 0; j < k; ++j)
+      for (size_t r = i; r < end; ++r) out[r * k + j] = columns[r + j * stride];
   }
 }
 
 }  // namespace
 
 extern const DenseKernels kernels;
-const DenseKernels kernels = {eliminate, divide, minus_dots};
+const DenseKernels kernels = {eliminate, divide, transpose, minus_product};
 
 }  // namespace ts::field::TS_KERNELS

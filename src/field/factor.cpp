@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstring>
 
 #include "base/error.h"
 #include "field/dense.h"
@@ -21,7 +22,8 @@ constexpr std::size_t padded(std::size_t n) {
   return (n + 7) / 8 * 8;
 }
 
-// Of a panel, what is not of the rows that it touches.
+// Of a panel, what is not of the rows that it touches. Eight at least, and they lie behind those: DenseKernels reads
+// on.
 std::size_t own_doubles(std::size_t columns) {
   return padded(columns + columns * (columns - 1) / 2);
 }
@@ -34,12 +36,12 @@ std::size_t packed(std::size_t rows) {
 
 // Fronts and the updates of the parts whose parents have not come yet: those of a chunk in order are a stack.
 struct Factor::Space {
-  Block front;
+  Block front, below;  // `below`: the rows that a part touches
   Vec<double> stack;
   Vec<std::size_t> to;
   std::size_t ld = 0;  // of the front
 
-  explicit Space(std::size_t most_unknowns) : front(padded(most_unknowns) * most_unknowns) {}
+  explicit Space(const Factor &f) : front(padded(f.most_unknowns_) * f.most_unknowns_), below(f.most_below_) {}
   void clear() noexcept {}
   void begin(std::size_t m) {
     ld = padded(m);
@@ -73,7 +75,6 @@ Factor::Factor(Laplacian laplacian, Dissection dissection, std::span<const Index
   find_rows(executor);
   lay_out();
   keep(most_bytes);
-  make_steps();
   progress(0.2);
   const auto begin = std::chrono::steady_clock::now();
   eliminate_all(executor, progress.part(0.2, 1, "factorisation"));
@@ -96,11 +97,6 @@ void Factor::find_chunks() {
     chunk_.push_back({first, i + 1});
     first = i + 1;
   }
-  tile_of_.resize(parts_.size());
-  for (Index i = static_cast<Index>(parts_.size()); i-- > 0;) {
-    const Index up = parts_[i].parent;
-    tile_of_[i] = up != mesh::none && size(up) <= kTile ? tile_of_[up] : i;
-  }
   for (Index &c : chunk_of_)
     if (c == mesh::none) c = static_cast<Index>(chunk_.size());
   chunk_.emplace_back();
@@ -108,7 +104,6 @@ void Factor::find_chunks() {
 
 // The rows of a part are those of its children and what its own vertices touch, less its own.
 void Factor::find_rows(const Executor &executor) {
-  part_of_.resize(interior_);
   const Index below = chunks() - 1;
   Vec<mesh::Rows> rows(chunks());  // those of a chunk's parts, in order
   Vec<Index> place_in(parts_.size());
@@ -121,7 +116,6 @@ void Factor::find_rows(const Executor &executor) {
     if (to.start.empty()) to.start.push_back(0);
     Vec<Index> own, united;
     for (Index c = p.begin; c < p.end; ++c) {
-      part_of_[c] = i;
       for (const Index e : surface_->vertex_edges[order_[c]])
         if (const Index q = place_[surface_->other_end(e, order_[c])]; q >= p.end) own.push_back(q);
     }
@@ -151,43 +145,45 @@ void Factor::find_rows(const Executor &executor) {
     const std::span<const Index> r = rows[chunk_of_[i]][place_in[i]];
     rows_.start.push_back(static_cast<Index>(rows_.item.size()));
     rows_.item.insert(rows_.item.end(), r.begin(), r.end());
-    most_rows_ = std::max(most_rows_, r.size());
+    most_below_ = std::max(most_below_, padded(r.size()) * (parts_[i].end - parts_[i].begin));
     most_unknowns_ = std::max(most_unknowns_, r.size() + parts_[i].end - parts_[i].begin);
   }
   rows_.start.push_back(static_cast<Index>(rows_.item.size()));
 }
 
-// A chunk begins with what a solution reads, in the order in which it does: parents first.
+Factor::Record Factor::record(Index part) const {
+  const Part &p = parts_[part];
+  return {part, p.begin, p.end - p.begin, static_cast<Index>(rows_[part].size())};
+}
+
+// A chunk begins with the records of its tiles; the rest of its panels comes after them.
 void Factor::lay_out() {
   offset_.resize(parts_.size());
   own_offset_.resize(parts_.size());
+  tile_of_.resize(interior_);
+  Vec<Index> tile(parts_.size());
+  const auto size = [&](Index part) { return parts_[part].end - parts_[part].first; };
   for (Index i = static_cast<Index>(parts_.size()); i-- > 0;) {
+    const Part &p = parts_[i];
     Chunk &c = chunk_[chunk_of_[i]];
+    if (p.parent != mesh::none && size(p.parent) <= kTile) {
+      tile[i] = tile[p.parent];
+    } else {
+      tile[i] = static_cast<Index>(tile_.size());
+      tile_.push_back(
+          {nullptr, c.doubles, 0, p.end, p.end, p.parent == mesh::none ? p.parent : tile[p.parent], chunk_of_[i]});
+    }
+    Tile &t = tile_[tile[i]];
     offset_[i] = c.doubles;
-    c.doubles += touched_doubles(i);
+    t.doubles += record(i).doubles();
+    c.doubles += record(i).doubles();
+    t.first = p.begin;
+    std::fill(tile_of_.begin() + p.begin, tile_of_.begin() + p.end, tile[i]);
   }
   for (Index i = static_cast<Index>(parts_.size()); i-- > 0;) {
     Chunk &c = chunk_[chunk_of_[i]];
     own_offset_[i] = c.doubles;
     c.doubles += own_doubles(parts_[i].end - parts_[i].begin);
-  }
-}
-
-std::size_t Factor::touched_doubles(Index part) const {
-  return (parts_[part].end - parts_[part].begin) * padded(rows_[part].size());
-}
-
-void Factor::make_steps() {
-  step_.resize(parts_.size());
-  for (Index i = 0; i < parts_.size(); ++i) {
-    const double *const panels = chunk_[chunk_of_[i]].panels;
-    const std::span<const Index> rows = rows_[i];
-    step_[i] = {panels ? panels + offset_[i] : nullptr,
-                rows.data(),
-                parts_[i].begin,
-                parts_[i].end - parts_[i].begin,
-                static_cast<Index>(rows.size()),
-                static_cast<Index>(padded(rows.size()))};
   }
 }
 
@@ -210,6 +206,8 @@ void Factor::keep(std::size_t most_bytes) {
     chunk_[c].panels = at;
     at += chunk_[c].doubles;
   }
+  for (Tile &t : tile_)
+    if (const double *const panels = chunk_[t.chunk].panels) t.records = panels + t.offset;
 }
 
 std::size_t Factor::left_out_bytes() const {
@@ -220,22 +218,26 @@ std::size_t Factor::left_out_bytes() const {
 }
 
 std::size_t Factor::bytes() const {
-  const std::size_t indices = place_.size() + order_.size() + part_of_.size() + chunk_of_.size() + tile_of_.size() +
-                              rows_.start.size() + rows_.item.size();
+  const std::size_t indices =
+      place_.size() + order_.size() + chunk_of_.size() + tile_of_.size() + rows_.start.size() + rows_.item.size();
   return sizeof(double) * (kept_doubles_ + weight_.size()) + sizeof(Index) * indices +
-         (sizeof(Part) + sizeof(Step)) * parts_.size() + 2 * sizeof(std::size_t) * offset_.size();
+         (sizeof(Part) + 2 * sizeof(std::size_t)) * parts_.size() + sizeof(Tile) * tile_.size();
+}
+
+Index Factor::part_of(Index place) const {
+  return static_cast<Index>(std::ranges::upper_bound(parts_, place, {}, &Part::begin) - parts_.begin()) - 1;
 }
 
 Factor::Panel Factor::panel(Index part, const Block &made) const {
   const Chunk &c = chunk_[chunk_of_[part]];
   const std::size_t k = parts_[part].end - parts_[part].begin;
   const double *at = c.panels ? c.panels : made.data(), *own = at + own_offset_[part];
-  return {own, own + k, at + offset_[part], k, padded(rows_[part].size())};
+  return {own, own + k, at + offset_[part] + record(part).matrix(), k};
 }
 
 Block Factor::make(Index chunk) const {
   Block made(chunk_[chunk].doubles);
-  Space space(most_unknowns_);
+  Space space(*this);
   eliminate_chunk(chunk, made.data(), space);
   return made;
 }
@@ -244,7 +246,7 @@ void Factor::eliminate_all(const Executor &executor, const Progress &progress) {
   const Index below = chunks() - 1;
   Vec<Vec<double>> updates(parts_.size());  // of the roots of chunks, and of what is above
   Pool<Space> spaces;
-  const auto space = [&] { return spaces.take([&] { return std::make_unique<Space>(most_unknowns_); }); };
+  const auto space = [&] { return spaces.take([&] { return std::make_unique<Space>(*this); }); };
   std::atomic<Index> done{0};
   executor.each(below, [&](std::size_t c) {
     const auto s = space();
@@ -277,7 +279,7 @@ Vec<double> Factor::eliminate_above(Index part, Vec<Vec<double>> &updates, Pool<
       updates[child] = eliminate_above(child, updates, spaces, executor, progress);
   });
   progress(0.75);
-  const auto s = spaces.take([&] { return std::make_unique<Space>(most_unknowns_); });
+  const auto s = spaces.take([&] { return std::make_unique<Space>(*this); });
   const auto of = [&](Index child) { return child == mesh::none ? nullptr : updates[child].data(); };
   eliminate(part, of(p.children[0]), of(p.children[1]), chunk_.back().panels, *s);
   for (const Index child : p.children)
@@ -349,16 +351,21 @@ void Factor::eliminate(Index part, const double *left, const double *right, doub
   if (!dense_kernels().eliminate(front, ld, m, k))
     throw Error(Fault::solver, "the Laplacian could not be factorised: weights not positive");
 
-  double *const inverse = panels + own_offset_[part], *const touched = panels + offset_[part];
+  const Record head = record(part);
+  double *const begin = panels + offset_[part], *const inverse = panels + own_offset_[part];
+  std::memcpy(begin, &head, sizeof head);
+  std::memcpy(begin + sizeof head / sizeof(double), rows.data(), rows.size_bytes());
   double *out = inverse;
   for (std::size_t j = 0; j < k; ++j) *out++ = 1 / front[j * ld + j];
   for (std::size_t j = 0; j < k; ++j) out = std::copy_n(front + j * ld + j + 1, k - j - 1, out);
-  out = touched;
+  const std::size_t stride = padded(r);
+  out = s.below.data();
   for (std::size_t j = 0; j < k; ++j) {
     out = std::copy_n(front + j * ld + k, r, out);
-    out = std::fill_n(out, padded(r) - r, 0.0);
+    out = std::fill_n(out, stride - r, 0.0);
   }
-  dense_kernels().divide(touched, padded(r), k, front, ld, inverse);
+  dense_kernels().divide(s.below.data(), stride, k, front, ld, inverse);
+  dense_kernels().transpose(s.below.data(), stride, r, k, begin + head.matrix());
 }
 
 }  // namespace ts::field

@@ -51,39 +51,46 @@ class Factor {
   const Eigen::MatrixXd &corner() const { return corner_; }
 
   const Vec<Part> &parts() const { return parts_; }
-  // The root of the subtree of at most some hundred unknowns that a part lies in; of parts above those themselves.
-  Index tile_of(Index part) const { return tile_of_[part]; }
-  Index part_of(Index place) const { return part_of_[place]; }
+  Index part_of(Index place) const;
   std::span<const Index> rows(Index part) const { return rows_[part]; }  // places after the part's that it touches
-
-  // A part's columns of the factor: 1 / l_jj for each; the rows below the diagonal of its own (L11), packed column by
-  // column; and, for the rows it touches (L21), L21 L11^-1, columns of `stride` values, the last ones zero: so that the
-  // values of a part are those of its rows times a matrix, x = -(L21 L11^-1)^T x_rows.
-  struct Panel {
-    const double *inverse, *own, *touched;
-    std::size_t columns, stride;
-    // Rows of column j below the diagonal begin here.
-    const double *below(std::size_t j) const { return own + j * columns - j * (j + 1) / 2; }
-  };
 
   // Parts live in chunks: subtrees at the bottom, and all that is above them.
   Index chunks() const { return static_cast<Index>(chunk_.size()); }
   Index chunk_of(Index part) const { return chunk_of_[part]; }
   bool kept(Index chunk) const { return chunk_[chunk].panels != nullptr; }
-  Block make(Index chunk) const;                     // of one that is not kept
-  Panel panel(Index part, const Block &made) const;  // `made`: its chunk if that is not kept
-  // What a solution reads of a part, in one place: the matrix (nullptr if it is not kept), the columns' places and the
-  // rows'.
-  struct Step {
-    const double *touched = nullptr;
-    const Index *rows = nullptr;
-    Index begin = 0, columns = 0, count = 0, stride = 0;
+  Block make(Index chunk) const;  // of one that is not kept
 
-    std::size_t bytes() const { return sizeof(double) * columns * stride + sizeof(Index) * count; }
+  // A part's columns of the factor: 1 / l_jj for each; the rows below the diagonal of its own (L11), packed column by
+  // column; and, for the rows it touches (L21), L21 L11^-1 row by row: so that the values of a part are those of its
+  // rows times a matrix, x = -(L21 L11^-1)^T x_rows.
+  struct Panel {
+    const double *inverse, *own, *touched;
+    std::size_t columns;
+    // Rows of column j below the diagonal begin here.
+    const double *below(std::size_t j) const { return own + j * columns - j * (j + 1) / 2; }
   };
-  const Step &step(Index part) const { return step_[part]; }
+  Panel panel(Index part, const Block &made) const;  // `made`: its chunk if that is not kept
 
-  std::size_t most_rows() const { return most_rows_; }
+  // What a solution reads, in one piece and in the order in which it does. A tile is a subtree of at most some hundred
+  // unknowns, or a part above those. Its records are those of its parts, parents first: a Record, the places of the
+  // rows, a value's worth of bytes or two filled up, and the matrix.
+  struct Record {
+    Index part, begin, columns, count;
+
+    std::size_t matrix() const { return sizeof(Record) / sizeof(double) + (std::size_t{count} + 1) / 2; }
+    std::size_t doubles() const { return matrix() + std::size_t{columns} * count; }
+  };
+  struct Tile {
+    const double *records = nullptr;  // nullptr if its chunk is not kept
+    std::size_t offset = 0;           // of the records in the chunk
+    std::size_t doubles = 0;          // of them
+    Index first = 0, end = 0;         // its places
+    Index parent = mesh::none;        // the tile of what is next above, mesh::none for the root's
+    Index chunk = 0;
+  };
+  const Vec<Tile> &tiles() const { return tile_; }
+  Index tile_of(Index place) const { return tile_of_[place]; }
+
   std::size_t bytes() const;           // of all that is kept
   std::size_t left_out_bytes() const;  // of the panels that are not
   double elimination_ms() const { return elimination_ms_; }
@@ -100,8 +107,7 @@ class Factor {
   void find_rows(const Executor &executor);
   void lay_out();
   void keep(std::size_t most_bytes);
-  void make_steps();
-  std::size_t touched_doubles(Index part) const;
+  Record record(Index part) const;
   void eliminate_all(const Executor &executor, const Progress &progress);
   Vec<double> eliminate_above(Index part, Vec<Vec<double>> &updates, Pool<Space> &spaces, const Executor &executor,
                               const Progress &progress) const;
@@ -114,14 +120,15 @@ class Factor {
   Vec<Index> order_;  // of elimination
   Vec<Index> place_;  // a vertex
   Vec<Part> parts_;
-  Vec<Index> part_of_, chunk_of_, tile_of_;
+  Vec<Index> chunk_of_;  // a part
+  Vec<Index> tile_of_;   // a place
   mesh::Rows rows_;
-  Vec<std::size_t> offset_, own_offset_;  // a part: in its chunk
+  Vec<std::size_t> offset_, own_offset_;  // a part: of its record and of the rest in its chunk
   Vec<Chunk> chunk_;
-  Vec<Step> step_;
+  Vec<Tile> tile_;
   Block kept_;
   std::size_t kept_doubles_ = 0;
-  std::size_t most_rows_ = 0, most_unknowns_ = 0;  // of a part: that it touches; its own with them
+  std::size_t most_unknowns_ = 0, most_below_ = 0;  // of a part: its own with those it touches; values of L21, padded
 
   Eigen::MatrixXd corner_;
   double elimination_ms_ = 0;

@@ -22,7 +22,6 @@ Forward::Forward(const Factor &f, std::span<const Index> places) : columns_(stat
   };
   for (std::size_t k = 0; k < places.size(); ++k) value_[row_of(places[k], 0) * columns_ + k] = 1;
 
-  using Columns = Eigen::Map<const Eigen::MatrixXd, Eigen::Aligned8, Eigen::OuterStride<>>;
   Rows passed;
   Block made;
   Index made_of = mesh::none;
@@ -34,8 +33,7 @@ Forward::Forward(const Factor &f, std::span<const Index> places) : columns_(stat
     const auto n = static_cast<Eigen::Index>(panel.columns);
     Eigen::Map<Rows> own(value_.data() + start_[i] * columns_, n, columns_);
     if (!rows.empty()) {
-      const Columns touched(panel.touched, static_cast<Eigen::Index>(rows.size()), n,
-                            Eigen::OuterStride<>(static_cast<Eigen::Index>(panel.stride)));
+      const Eigen::Map<const Rows> touched(panel.touched, static_cast<Eigen::Index>(rows.size()), n);
       passed.noalias() = touched * own;
       for (std::size_t r = 0; r < rows.size(); ++r) {
         Eigen::Map<Eigen::RowVectorXd> to(value_.data() + row_of(rows[r], i + 1) * columns_, columns_);

@@ -27,13 +27,13 @@ struct Source {
 // that it has when all are worked out. Not for concurrent use: each task asks one of its own.
 class Solution {
  public:
-  // What a solution works in; n + parts long, and as long as a factor is used.
+  // What a solution works in; n + tiles long, and as long as a factor is used.
   struct Space {
-    Vec<double> x;  // by place
-    Vec<std::uint8_t> done;
-    Vec<Index> parts;  // those done
+    Vec<double> x;           // by place
+    Vec<std::uint8_t> done;  // a tile
+    Vec<Index> tiles;        // those done
     Vec<Block> made;
-    Vec<double> gathered, sums;
+    Vec<double> sums;
     const Factor *factor = nullptr;
 
     explicit Space(const Factor &factor);
@@ -57,7 +57,7 @@ class Solution {
       return std::numeric_limits<double>::quiet_NaN();
     const double value = space_->x[place];
     if (std::bit_cast<std::uint64_t>(value) != kUnset) return value;
-    evaluate(factor_->part_of(place));
+    evaluate(factor_->tile_of(place));
     return space_->x[place];
   }
 
@@ -69,9 +69,9 @@ class Solution {
  private:
   static constexpr std::uint64_t kUnset = 0x7ff8'7007'0000'0001;  // a NaN that no arithmetic makes
 
-  void evaluate(Index part);
-  void substitute(Index part);
-  void add_source(Index part);
+  void evaluate(Index tile);
+  void substitute(const Factor::Tile &tile);
+  void add_source(const Factor::Record &record);
 
   const Factor *factor_;
   Pool<Space>::Lease space_;

@@ -84,7 +84,7 @@ std::size_t Solver::whole_bytes() const {
 
 std::size_t Solver::solution_bytes() const {
   return sizeof(double) * (std::size_t{factor_->interior()} + factor_->nodes()) +
-         factor_->parts().size() * (1 + sizeof(Index));
+         factor_->tiles().size() * (1 + sizeof(Index));
 }
 
 std::size_t Solver::bytes() const {
