@@ -49,13 +49,19 @@ Features divide(const mesh::Surface &surface, const Analysis &a, const Weights &
     if (!std::isnan(a.strip.crest[i])) height = a.strip.crest[i];
     found.arch.push_back(a.plan.back({p.x(), p.y(), height}));
   }
-  for (const ToothSpan &tooth : division.teeth) {
+  const auto add = [&](const ToothSpan &tooth, const Ridge *ridge) {
     Group group;
-    group.points = tooth_points(surface, a.strip, a.view, a.plan, tooth, options.max_points);
-    group.from = tooth.from * Strip::step;
-    group.to = tooth.to * Strip::step;
+    group.points = tooth_points(surface, a.strip, a.view, a.plan, tooth, options.max_points, ridge);
+    group.from = (ridge ? ridge->from : tooth.from) * Strip::step;
+    group.to = (ridge ? ridge->to : tooth.to) * Strip::step;
     group.confidence = tooth.confidence;
     if (!group.points.empty()) found.groups.push_back(std::move(group));
+  };
+  for (const ToothSpan &tooth : division.teeth) {
+    if (const auto ridges = two_ridges(a.strip, tooth))
+      for (const Ridge &ridge : *ridges) add(tooth, &ridge);
+    else
+      add(tooth, nullptr);
   }
   if (found.groups.empty()) throw Error(Fault::no_teeth, "nothing along the arch looks like a tooth");
   return found;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ts::features {
 namespace {
@@ -22,10 +21,6 @@ struct Candidate {
   double value() const { return height + convexity_in_mm * convexity; }
 };
 
-double tangent(int slant) {
-  return slant < 0 ? 0 : std::tan(Slants::degrees(slant) * std::numbers::pi / 180);
-}
-
 bool near_rim(const Strip &strip, int slice, int j) {
   constexpr int r = static_cast<int>(from_rim / Strip::step);
   for (int k = 0; k < 8; ++k) {
@@ -39,19 +34,12 @@ bool near_rim(const Strip &strip, int slice, int j) {
 }
 
 // Cells of the span, off its cuts, off the rims, high and convex enough.
-Vec<Candidate> candidates(const Strip &strip, const ToothSpan &tooth) {
+Vec<Candidate> candidates(const Strip &strip, const ToothSpan &tooth, const Ridge *ridge) {
   Vec<Candidate> all;
-  constexpr int reach = 32;  // |t| <= 8 mm
-  const double from_tan = tangent(tooth.from_slant), to_tan = tangent(tooth.to_slant);
-  for (int j = Strip::half - reach; j <= Strip::half + reach; ++j) {
-    const double t = Strip::t(j);
-    const double begin = tooth.from + (from_tan * t + from_cut * std::hypot(1, from_tan)) / Strip::step;
-    const double end = tooth.to + (to_tan * t - from_cut * std::hypot(1, to_tan)) / Strip::step;
-    for (int i = std::max(0, static_cast<int>(std::ceil(begin))); i <= std::min<double>(strip.slices - 1, end); ++i) {
-      const std::size_t c = strip.at(i, j);
-      if (strip.convexity[c] > 0.5 * least_convexity && !std::isnan(strip.height[c]) && !near_rim(strip, i, j))
-        all.push_back({i, j, strip.height[c], strip.convexity[c], strip.plan_point(i, t)});
-    }
+  for (const std::size_t c : span_cells(strip, tooth, from_cut)) {
+    const int i = static_cast<int>(c / Strip::across), j = static_cast<int>(c % Strip::across);
+    if (strip.convexity[c] > 0.5 * least_convexity && (!ridge || ridge->has(c)) && !near_rim(strip, i, j))
+      all.push_back({i, j, strip.height[c], strip.convexity[c], strip.plan_point(i, Strip::t(j))});
   }
   if (all.empty()) return all;
   // The crown lies near the curve: what is higher further out (a neighbour's leg, cheek) is not its top.
@@ -107,9 +95,9 @@ Vec<Candidate> choose(const Vec<Candidate> &all, unsigned most) {
 }  // namespace
 
 Vec<Point> tooth_points(const mesh::Surface &surface, const Strip &strip, const TopView &view, const Plan &plan,
-                        const ToothSpan &tooth, unsigned most) {
+                        const ToothSpan &tooth, unsigned most, const Ridge *ridge) {
   Vec<Point> points;
-  for (const Candidate &c : choose(candidates(strip, tooth), most)) {
+  for (const Candidate &c : choose(candidates(strip, tooth, ridge), most)) {
     const Index face = view.face(c.at);
     if (face == mesh::none) continue;
     Point p;

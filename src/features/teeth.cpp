@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ts::features {
 namespace {
@@ -250,6 +251,23 @@ Marginals marginals(const Lattice &l) {
   }
   m.total = log_add(m.gap_before[n], m.tooth_before[n] + l.change());
   return m;
+}
+
+Vec<std::size_t> span_cells(const Strip &strip, const ToothSpan &tooth, double off) {
+  const auto tangent = [](int slant) {
+    return slant < 0 ? 0 : std::tan(Slants::degrees(slant) * std::numbers::pi / 180);
+  };
+  constexpr int reach = static_cast<int>(8 / Strip::step);
+  const double from_tan = tangent(tooth.from_slant), to_tan = tangent(tooth.to_slant);
+  Vec<std::size_t> cells;
+  for (int j = Strip::half - reach; j <= Strip::half + reach; ++j) {
+    const double t = Strip::t(j);
+    const double begin = tooth.from + (from_tan * t + off * std::hypot(1, from_tan)) / Strip::step;
+    const double end = tooth.to + (to_tan * t - off * std::hypot(1, to_tan)) / Strip::step;
+    for (int i = std::max(0, static_cast<int>(std::ceil(begin))); i <= std::min<double>(strip.slices - 1, end); ++i)
+      if (const std::size_t c = strip.at(i, j); !std::isnan(strip.height[c])) cells.push_back(c);
+  }
+  return cells;
 }
 
 }  // namespace ts::features

@@ -60,6 +60,10 @@ struct ToothSpan {
   double confidence = 0;               // probability of exactly this tooth, its ends within 1 mm, under the model
 };
 
+// Cells of the strip, as Strip::at gives them, that lie between the span's cuts, `off` mm from each, on a surface and
+// within 8 mm of the curve; column by column.
+Vec<std::size_t> span_cells(const Strip &strip, const ToothSpan &tooth, double off);
+
 struct Division {
   Vec<ToothSpan> teeth;
   Jaw jaw = Jaw::upper;

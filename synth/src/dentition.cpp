@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "contacts.h"
+
 namespace tsa {
 namespace {
 
@@ -98,6 +100,8 @@ void Dentition::place(const Settings &settings) {
   const int right = upper_ ? 1 : 0;
   for (int i = 6; i >= 0; --i) all.push_back(std::move(sides[right][i]));
   for (int i = 0; i < 7; ++i) all.push_back(std::move(sides[1 - right][i]));
+
+  moveApart(all);
 
   const auto isMissing = [&](const PlacedTooth &t) {
     return std::find(settings.missing.begin(), settings.missing.end(), t.fdi) != settings.missing.end();
