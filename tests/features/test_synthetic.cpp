@@ -85,6 +85,15 @@ TEST_CASE("synthetic arches, straight and mildly crowded") {
     }
 }
 
+TEST_CASE("severely crowded: one tooth before the other, which no line across the arch parts") {
+  for (const std::uint32_t jaw : {TSA_JAW_LOWER, TSA_JAW_UPPER})
+    for (const std::uint64_t seed : {4, 5}) {
+      CAPTURE(jaw);
+      CAPTURE(seed);
+      check(make(jaw, 1, seed, {}, 0));
+    }
+}
+
 TEST_CASE("synthetic arches with missing teeth") {
   check(make(TSA_JAW_UPPER, 0.2, 4, {12, 16, 25}, 0));
   check(make(TSA_JAW_LOWER, 0.2, 5, {31, 46}, 0));
