@@ -429,6 +429,8 @@ typedef enum ts_weights {
   TS_WEIGHTS_PAPER = 1,     /**< Eq. 8 with the test of Eq. 9 */
   TS_WEIGHTS_COTANGENT = 2, /**< paper ref. 39, negative cotangents clamped */
   TS_WEIGHTS_UNIFORM = 3,   /**< 1 */
+  TS_WEIGHTS_FEATURE = 4,   /**< feature-preserving, as paper ref. 40: Eq. 8 without its test, so that every bend counts,
+                                 convex or concave (the paper does not print the formula of ref. 40) */
   TS_WEIGHTS_FORCE_INT = 0x7fffffff
 } ts_weights;
 

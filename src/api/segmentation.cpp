@@ -22,6 +22,7 @@ static_assert(static_cast<int>(field::Scheme::concavity) == TS_WEIGHTS_CONCAVITY
 static_assert(static_cast<int>(field::Scheme::paper) == TS_WEIGHTS_PAPER);
 static_assert(static_cast<int>(field::Scheme::cotangent) == TS_WEIGHTS_COTANGENT);
 static_assert(static_cast<int>(field::Scheme::uniform) == TS_WEIGHTS_UNIFORM);
+static_assert(static_cast<int>(field::Scheme::feature) == TS_WEIGHTS_FEATURE);
 
 ts_segment_options public_options(ts_preset preset) {
   const tooth::Options d = preset == TS_PRESET_PAPER ? tooth::paper_options() : tooth::default_options();
@@ -60,7 +61,7 @@ void check_enum(uint32_t value, uint32_t last, const char *name) {
 
 tooth::Options inner_options(const ts_segment_options &o) {
   check_enum(o.preset, TS_PRESET_PAPER, "preset");
-  check_enum(o.weights, TS_WEIGHTS_UNIFORM, "weights");
+  check_enum(o.weights, TS_WEIGHTS_FEATURE, "weights");
   check_enum(o.background, TS_BACKGROUND_ALL, "background");
   check_enum(o.cut_rule, TS_CUT_HALF, "cut_rule");
   check_enum(o.reject_outliers, 1, "reject_outliers");

@@ -20,17 +20,24 @@ Vec<double> each_edge(const mesh::Surface &surface, const Executor &executor, co
   return w;
 }
 
-Vec<double> paper_weights(const mesh::Surface &surface, const WeightOptions &o, const Executor &executor) {
+// Eq. 8 without the concave edges' share.
+Vec<double> feature_weights(const mesh::Surface &surface, const WeightOptions &o, const Executor &executor) {
   const Vec<double> gauss = geometry::gaussian_curvature(surface, executor);
+  return each_edge(surface, executor, [&](mesh::Index e) {
+    const auto [i, j] = surface.edge[e];
+    return surface.edge_length(e) / (std::abs(gauss[i] + gauss[j]) + o.gamma);
+  });
+}
+
+Vec<double> paper_weights(const mesh::Surface &surface, const WeightOptions &o, const Executor &executor) {
   Vec<mesh::Vec3> normal = geometry::vertex_normals(surface, geometry::NormalWeight::angle, executor);
   if (o.inside_out)
     for (mesh::Vec3 &n : normal) n = -n;
   const Vec<std::uint8_t> concave = geometry::concave_by_edges(surface, normal, o.theta, executor);
-  return each_edge(surface, executor, [&](mesh::Index e) {
-    const auto [i, j] = surface.edge[e];
-    const double w = surface.edge_length(e) / (std::abs(gauss[i] + gauss[j]) + o.gamma);
-    return concave[i] || concave[j] ? w * o.beta : w;
-  });
+  Vec<double> w = feature_weights(surface, o, executor);
+  for (mesh::Index e = 0; e < w.size(); ++e)
+    if (concave[surface.edge[e][0]] || concave[surface.edge[e][1]]) w[e] *= o.beta;
+  return w;
 }
 
 }  // namespace
@@ -46,6 +53,7 @@ Vec<double> edge_weights(const mesh::Surface &surface, const Vec<double> &concav
       });
     case Scheme::paper: return paper_weights(surface, o, executor);
     case Scheme::cotangent: return geometry::cotangent_weights(surface, kLeastCotangent, executor);
+    case Scheme::feature: return feature_weights(surface, o, executor);
     case Scheme::uniform: break;
   }
   return Vec<double>(surface.edge.size(), 1.0);

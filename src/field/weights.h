@@ -11,6 +11,7 @@ enum class Scheme {
   paper,      // Eq. 8 with the test of Eq. 9
   cotangent,  // paper ref. 39, clamped
   uniform,    // 1
+  feature,    // as paper ref. 40: Eq. 8 without the test; what is curved either way conducts less
 };
 
 struct WeightOptions {

@@ -32,7 +32,7 @@ void check(const Options &o) {
     if (!right) throw Error(Fault::invalid_argument, std::string("segmentation options: ") + what);
   };
   const auto within = [](double x, double low, double high) { return std::isfinite(x) && x >= low && x <= high; };
-  need(o.weights >= field::Scheme::concavity && o.weights <= field::Scheme::uniform, "weights is not a ts_weights");
+  need(o.weights >= field::Scheme::concavity && o.weights <= field::Scheme::feature, "weights is not a ts_weights");
   need(o.background >= Background::neighbour && o.background <= Background::all, "background is not a ts_background");
   need(o.cut_rule >= CutRule::gradient && o.cut_rule <= CutRule::half, "cut_rule is not a ts_cut_rule");
   need(o.contours >= 2 && o.contours <= 100000, "contours outside [2, 100000]");

@@ -73,4 +73,8 @@ TEST_CASE("cotangent weights of a right-angled grid: 1 along its lines, clamped 
       CHECK(cot[e] == doctest::Approx(1));
   }
   for (const double w : edge_weights(s, {}, {Scheme::uniform}, Executor(1))) CHECK(w == 1);
+  // Eq. 8 without the share of concave edges.
+  const WeightOptions all_alike{.scheme = Scheme::paper, .beta = 1, .gamma = 0.5};
+  CHECK(edge_weights(s, {}, {.scheme = Scheme::feature, .beta = 0.1, .gamma = 0.5}, Executor(1)) ==
+        edge_weights(s, {}, all_alike, Executor(1)));
 }

@@ -116,8 +116,8 @@ TEST_CASE("other backgrounds and rules find the same teeth on an easy row") {
 }
 
 TEST_CASE("every weighting scheme runs") {
-  for (const auto scheme :
-       {field::Scheme::concavity, field::Scheme::paper, field::Scheme::cotangent, field::Scheme::uniform}) {
+  for (const auto scheme : {field::Scheme::concavity, field::Scheme::paper, field::Scheme::cotangent,
+                            field::Scheme::uniform, field::Scheme::feature}) {
     Options o = default_options();
     o.weights = scheme;
     const Segmenter segmenter(five().surface, five().features, o, one);
