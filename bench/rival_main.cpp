@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -29,13 +28,15 @@ usage: ts-rival MESH --teeth N [options]
   --help              this text
 
 skeleton: the morphologic skeleton of the region where the surface is concave (Li and Wang 2016, refs. 23, 24, 26, 28):
-  curvature threshold, closing, thinning to lines one vertex wide, the regions between them; low regions are gingiva,
-  small ones go to their neighbours. In the published programs the user picks the threshold (or, in ref. 28, gives the
-  number of teeth, by which it is searched) and repairs the lines. Here the threshold is searched by the number of
-  teeth, and nothing is repaired. time_ms is a single run at the best threshold, curvature and occlusal direction
-  included, as a user has it who knows the threshold; search_ms is all the search took on top.
+  least curvature, threshold, closing, thinning to lines one vertex wide, the regions between them; low regions are
+  gingiva, small ones go to their neighbours. The published programs are interactive: the user picks the threshold (in
+  ref. 28 gives the number of teeth, by which it is searched) and repairs the result. Here nobody helps: of 20
+  thresholds the one is taken that gives N teeth, or nearest to N, with areas most alike, and surplus teeth are joined
+  where the line between them is shallowest. time_ms is a single run at that threshold after intake, curvature and
+  occlusal direction included, as for a user who knows the threshold; search_ms is what the search took on top.
 sdf: clusters of the shape diameter function with a graph cut, by CGAL; the largest segment is taken for gingiva.
-  Clusters and smoothing are searched by the number of teeth. Only where the program was built with CGAL.
+  Clusters (2 to 6) and smoothing (lambda .1 to .8) are searched by the number of teeth; 25 rays a facet as is CGAL's
+  default, 12 above 150000 facets. time_ms is the values and one segmentation, search_ms all segmentations. Only where the program was built with CGAL.
 )";
 
 struct Arguments {

@@ -139,6 +139,31 @@ void merge_small(std::vector<Region> &region, std::vector<Index> &into, const Re
   }
 }
 
+// While there are more teeth than wanted, the two that look most like parts of one are joined. It stands for the user
+// of the published programs, who joins what is one tooth, and is the best that we found to do with the number of teeth.
+void merge_surplus(std::vector<Region> &region, std::vector<Index> &into, const RegionOptions &options) {
+  auto count =
+      static_cast<unsigned>(std::count_if(region.begin(), region.end(), [](const Region &r) { return r.tooth; }));
+  for (; count > options.wanted; --count) {
+    Index a = mesh::none, b = mesh::none;
+    double least = std::numeric_limits<double>::infinity();
+    for (Index r = 0; r < region.size(); ++r) {
+      if (!region[r].tooth) continue;
+      for (const auto &[n, side] : region[r].beside) {
+        const double area = region[r].area + region[n].area;
+        if (n < r || !region[n].tooth || area > options.most_tooth) continue;
+        // Cusps lie beside each other along a long and shallow line, and are smaller than teeth. The powers were tried
+        // on real and on synthetic arches.
+        const double cost = side.depth / side.length / std::sqrt(side.length) * area;
+        if (cost < least) least = cost, a = r, b = n;
+      }
+    }
+    if (a == mesh::none) return;
+    join(region, a, b);
+    into[a] = b;
+  }
+}
+
 }  // namespace
 
 Teeth teeth_between(const Surface &surface, const Mask &line, const Vec<double> &concavity, const Heights &heights,
@@ -150,6 +175,7 @@ Teeth teeth_between(const Surface &surface, const Mask &line, const Vec<double> 
   std::vector<Index> into(count);
   for (Index r = 0; r < count; ++r) into[r] = r;
   merge_small(region, into, options);
+  merge_surplus(region, into, options);
 
   Teeth teeth;
   teeth.regions = count;

@@ -22,7 +22,7 @@ Heights heights(const Surface &surface, const Executor &executor);
 struct Teeth {
   Vec<Index> of_face;
   unsigned count = 0, regions = 0;  // regions: before any is merged
-  double spread = 0;  // standard deviation of the logarithm of the teeth's areas: 0 if all are as large
+  double spread = 0;                // standard deviation of the logarithm of the teeth's areas: 0 if all are as large
 };
 
 // What a rival hands back, and what it tells of itself.
