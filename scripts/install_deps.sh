@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: `install_deps.sh build|demo|test|bench`. Nothing is asked of the network
+# Installs the Debian packages that are missing: `install_deps.sh build|demo|test|bench|study`. Nothing is asked of the network
 # when all are there. As root or through sudo.
 set -euo pipefail
 what=${1:-build}
@@ -9,7 +9,8 @@ case $what in
   demo) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core" ;;
   test) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core doctest-dev libopenmesh-dev pkg-config valgrind" ;;
   bench) packages="$packages libsuitesparse-dev libopenblas-dev" ;;
-  *) echo "install_deps.sh: build, demo, test or bench, not $what" >&2; exit 2 ;;
+  study) packages="$packages python3 python3-numpy python3-scipy python3-matplotlib python3-pil fonts-dejavu-core libcgal-dev libopenmesh-dev" ;;
+  *) echo "install_deps.sh: build, demo, test, bench or study, not $what" >&2; exit 2 ;;
 esac
 command -v dpkg-query >/dev/null || { echo "install_deps.sh: needs Debian's packages: $packages" >&2; exit 1; }
 missing=""
