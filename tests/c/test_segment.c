@@ -251,7 +251,7 @@ static void options_out_of_range_are_refused(void) {
   o.member = value;           \
   refuse(&o, #member " = " #value)
   REFUSE(preset, (ts_preset)2);
-  REFUSE(weights, (ts_weights)4);
+  REFUSE(weights, (ts_weights)5);
   REFUSE(background, (ts_background)3);
   REFUSE(cut_rule, (ts_cut_rule)3);
   REFUSE(contours, 0);

@@ -1,0 +1,100 @@
+"""Section 1 (paper, Fig. 6 and Table 1): ten crowded arches, a click for every two teeth."""
+import numpy as np
+
+import meshes
+from library import Library, Scan
+from pieces import Piece, library_path
+from scoring import Truth, summary
+from text import number, table
+
+# Jaws, and triangles of the paper's Table 1. The paper's pictures show three degrees of crowding without naming each
+# model's; they are spread here so that both jaws have all three. E and F lack a tooth: their last pair is one tooth.
+TABLE_1 = [("A", "lower", 302118), ("B", "upper", 226843), ("C", "upper", 903240), ("D", "lower", 452460),
+           ("E", "lower", 798524), ("F", "upper", 1022952), ("G", "upper", 302118), ("H", "lower", 1075146),
+           ("I", "upper", 1145170), ("J", "lower", 669852)]
+PAPER_VERTICES = {"A": 151022, "B": 113489, "C": 451622, "D": 226232, "E": 399264, "F": 511478, "G": 151057, "H": 537571,
+                  "I": 572587, "J": 334925}
+CROWDING = {"A": "mild", "B": "mild", "C": "moderate", "D": "moderate", "E": "severe", "F": "moderate", "G": "mild",
+            "H": "severe", "I": "severe", "J": "mild"}
+MISSING = {"E": "46", "F": "24"}
+SEEDS = (1, 2, 3)  # of the clicks
+
+
+def models(study):
+    """Specifications by letter. Quick: three of them at 60,000 triangles."""
+    out = {}
+    for place, (case, jaw, triangles) in enumerate(TABLE_1, 1):
+        if not study.quick or case in "AFH":
+            out[case] = {"jaw": jaw, "crowding": CROWDING[case], "triangles": 60000 if study.quick else triangles,
+                         "seed": place, "missing": MISSING.get(case, "")}
+    return out
+
+
+def measure(study, spec, seeds, preset="default"):
+    """Figures a tooth for the clicks of each seed, on one preparation each."""
+    mesh = meshes.arch(study, **spec)
+    v, f, reference = meshes.read(mesh)
+    truth = Truth(v, f, reference)
+    scan = Scan(Library(library_path(study)), mesh.path)
+    out = {**meshes.size_of(mesh), "teeth": len(set(reference[reference > 0])), "groups": len(scan.groups()), "seeds": {}}
+    edges = np.linalg.norm(v[truth.edge[:, 0]] - v[truth.edge[:, 1]], axis=1)
+    out["mean_edge"] = float(edges.mean())
+    for seed in seeds:
+        segmentation = scan.prepare(preset)
+        clicks, teeth = meshes.clicks(study, v, f, reference, "pairs", seed)
+        failed = segmentation.click_all(clicks)
+        out["seeds"][str(seed)] = {"clicks": len(teeth), "failed": failed, "teeth": truth.figures(segmentation.labels())}
+    return out
+
+
+def pieces(study):
+    seeds = list(SEEDS[:1] if study.quick else SEEDS)
+    out = []
+    for case, spec in models(study).items():
+        out.append(Piece("crowding/" + case, "crowding", "measure", {"spec": spec, "seeds": seeds}))
+    return out
+
+
+def rows_of(result):
+    """All teeth of all seeds: a tooth counts once a seed."""
+    return [r for s in result["seeds"].values() for r in s["teeth"].values()]
+
+
+def section(study, results):
+    rows, everyone, misses = [], [], []
+    for case, spec in models(study).items():
+        r = results["crowding/" + case]
+        if "error" in r:
+            rows.append([case, spec["jaw"], spec["crowding"], "failed: " + r["error"]] + [""] * 9)
+            continue
+        s = summary(rows_of(r))
+        everyone += rows_of(r)
+        first = next(iter(r["seeds"].values()))
+        rows.append([case, spec["jaw"], spec["crowding"], r["vertices"], PAPER_VERTICES[case], r["triangles"], r["teeth"], r["groups"],
+                     first["clicks"], sum(len(x["failed"]) for x in r["seeds"].values()), number(s["iou"], 4),
+                     number(s["least"]), number(s["dice"], 4), number(s["edge"]), number(s["edge_p95"]), number(s["edge_max"])])
+        misses += [(case, t, seed, x["iou"]) for seed, c in r["seeds"].items() for t, x in c["teeth"].items() if x["iou"] < 0.75]
+    head = ["model", "jaw", "crowding", "vertices", "paper's", "triangles", "teeth", "groups", "clicks", "refused", "IoU", "least", "Dice",
+            "edge", "p95", "worst tooth"]
+    text = ["## 1. Crowding (Fig. 6, Table 1)", "",
+            "An arch a column of the paper's Table 1, with the triangles it names; one click for every two teeth, anywhere on the "
+            "half of a crown that faces the next. Seeds of the clicks: %s. `refused`: clicks of all seeds that gave an error. `edge`: mean "
+            "distance between the borders, both ways, mm, over teeth; `p95`: mean over teeth of each one's 95th percentile; `worst tooth`: the "
+            "largest mean of a tooth. Teeth under IoU .5 count as not found, and have no border." %
+            ", ".join(map(str, SEEDS[:1] if study.quick else SEEDS)), "", table(head, rows), ""]
+    if everyone:
+        s = summary(everyone)
+        text += ["All: IoU %s, least %s, fifth percentile %s, Dice %s, edge %s mm (p95 %s), not found %d of %d." % (
+            number(s["iou"], 4), number(s["least"]), number(s["iou_p5"]), number(s["dice"], 4), number(s["edge"]), number(s["edge_p95"]),
+            s["lost"], s["teeth"]), ""]
+    if misses:
+        text += ["Teeth under .75 (model, FDI, seeds of the clicks, IoU):", ""]
+        by_tooth = {}
+        for case, t, seed, x in misses:
+            by_tooth.setdefault((case, t), []).append((seed, x))
+        text += ["- %s %s: %s" % (case, t, ", ".join("%s (seed %s)" % (number(x), seed) for seed, x in got))
+                 for (case, t), got in by_tooth.items()]
+        text += [""]
+    else:
+        text += ["No tooth is under .75.", ""]
+    return text
