@@ -13,7 +13,7 @@ namespace {
 // within an anterior crown, on synthetic ones .26; between two of them, one before the other, .33 to .44.
 constexpr double kParted = 0.28;
 constexpr double kSmallest = 6;   // mm^2 of either: less is the end of an edge that is notched
-constexpr double kAlong = 2.5;    // mm along the arch between their middles: cusps of a premolar lie across it
+constexpr double kAlong = 2.0;    // mm along the arch between their middles: cusps of a premolar lie across it
 constexpr double kDeepest = 3.0;  // of their tops below the span's, mm: a cingulum lies deeper
 constexpr double kBelowTop = 14;  // mm: the way may lead down to the gingiva
 
