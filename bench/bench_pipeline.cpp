@@ -21,20 +21,6 @@ Pipeline with_context(unsigned threads, const ts_context_options *hooks) {
   return p;
 }
 
-void take_in(Pipeline &p, const Mesh &mesh) {
-  ts_mesh_input input;
-  need_ok(ts_mesh_input_init(&input, sizeof input), "ts_mesh_input_init");
-  input.scalar = TS_FLOAT32;
-  input.positions = mesh.xyz.data();
-  input.vertex_count = mesh.vertices();
-  input.triangles = mesh.triangles.data();
-  input.triangle_count = mesh.faces();
-  ts_model *model = nullptr;
-  p.intake_ms =
-      ms_of([&] { need_ok(ts_model_create(p.context.get(), &input, nullptr, nullptr, &model), "ts_model_create"); });
-  p.model.reset(model);
-}
-
 void make_ready(Pipeline &p) {
   ts_features *features = nullptr;
   p.features_ms =
@@ -53,16 +39,30 @@ void need_ok(ts_status status, const char *what) {
     throw std::runtime_error(std::string(what) + ": " + ts_status_name(status) + ", " + ts_last_error_message());
 }
 
-Pipeline prepare(const Mesh &mesh, unsigned threads, const ts_context_options *hooks) {
+Pipeline take_in(const Mesh &mesh, unsigned threads, const ts_context_options *hooks) {
   Pipeline p = with_context(threads, hooks);
-  take_in(p, mesh);
+  ts_mesh_input input;
+  need_ok(ts_mesh_input_init(&input, sizeof input), "ts_mesh_input_init");
+  input.scalar = TS_FLOAT32;
+  input.positions = mesh.xyz.data();
+  input.vertex_count = mesh.vertices();
+  input.triangles = mesh.triangles.data();
+  input.triangle_count = mesh.faces();
+  ts_model *model = nullptr;
+  p.intake_ms =
+      ms_of([&] { need_ok(ts_model_create(p.context.get(), &input, nullptr, nullptr, &model), "ts_model_create"); });
+  p.model.reset(model);
+  return p;
+}
+
+Pipeline prepare(const Mesh &mesh, unsigned threads, const ts_context_options *hooks) {
+  Pipeline p = take_in(mesh, threads, hooks);
   make_ready(p);
   return p;
 }
 
 Pipeline prepare(Mesh &&mesh, unsigned threads, const ts_context_options *hooks) {
-  Pipeline p = with_context(threads, hooks);
-  take_in(p, mesh);
+  Pipeline p = take_in(mesh, threads, hooks);
   mesh = Mesh();
   make_ready(p);
   return p;

@@ -35,6 +35,9 @@ struct Pipeline {
   double prepare_ms() const { return intake_ms + features_ms + segmentation_ms; }
 };
 
+// Context and model only.
+Pipeline take_in(const Mesh &mesh, unsigned threads, const ts_context_options *hooks = nullptr);
+
 // `threads`: 0 = as a caller who says nothing. `hooks` may be NULL; of it only the allocator is used. The mesh is
 // emptied once the library has its copy where `mesh` is movable.
 Pipeline prepare(const Mesh &mesh, unsigned threads, const ts_context_options *hooks = nullptr);

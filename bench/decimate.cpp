@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -60,20 +59,8 @@ Mesh decimated(const Mesh &mesh, std::size_t faces) {
 // A model whose faces know what they were: intake may drop some.
 class Labelled {
  public:
-  Labelled(const Mesh &mesh, std::vector<int> labels) : labels_(std::move(labels)) {
-    ts_context *context = nullptr;
-    need_ok(ts_context_create(nullptr, &context), "ts_context_create");
-    context_.reset(context);
-    ts_mesh_input input;
-    need_ok(ts_mesh_input_init(&input, sizeof input), "ts_mesh_input_init");
-    input.scalar = TS_FLOAT32;
-    input.positions = mesh.xyz.data();
-    input.vertex_count = mesh.vertices();
-    input.triangles = mesh.triangles.data();
-    input.triangle_count = mesh.faces();
-    ts_model *model = nullptr;
-    need_ok(ts_model_create(context, &input, nullptr, nullptr, &model), "ts_model_create");
-    model_.reset(model);
+  Labelled(const Mesh &mesh, std::vector<int> labels) : scan_(take_in(mesh, 0)), labels_(std::move(labels)) {
+    const ts_model *const model = scan_.model.get();
     std::uint32_t count = 0;
     need_ok(ts_model_get_face_sources(model, nullptr, 0, &count), "ts_model_get_face_sources");
     source_.resize(count);
@@ -82,13 +69,12 @@ class Labelled {
 
   int at(const std::array<double, 3> &place) const {
     ts_surface_point nearest;
-    need_ok(ts_model_nearest(model_.get(), place.data(), &nearest), "ts_model_nearest");
+    need_ok(ts_model_nearest(scan_.model.get(), place.data(), &nearest), "ts_model_nearest");
     return labels_[source_[nearest.face]];
   }
 
  private:
-  std::unique_ptr<ts_context, Give<ts_context_destroy>> context_;
-  std::unique_ptr<ts_model, Give<ts_model_destroy>> model_;
+  Pipeline scan_;
   std::vector<std::uint32_t> source_;
   std::vector<int> labels_;
 };

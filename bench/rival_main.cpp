@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "bench/bench_figures.h"
 #include "bench/rival_sdf.h"
 #include "bench/rival_skeleton.h"
-#include "bench/rival_timer.h"
 #include "mesh/intake.h"
 #include "mesh/read.h"
 

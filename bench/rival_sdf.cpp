@@ -5,13 +5,12 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bench/rival_timer.h"
-
 #ifdef TOOTHSEG_BENCH_CGAL
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/mesh_segmentation.h>
 #endif
+#include "bench/bench_figures.h"
 
 namespace ts::bench {
 

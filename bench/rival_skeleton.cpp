@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "bench/bench_figures.h"
 #include "bench/rival_regions.h"
-#include "bench/rival_timer.h"
 #include "geometry/concavity.h"
 
 namespace ts::bench {

@@ -164,7 +164,7 @@ void minus_product(const double *panel, size_t rows, size_t k, const unsigned *p
     minus_product<1, 4>(panel + j, rows, k, place, x, width, out + j);
 }
 
-// 8 x 8 values at a time: columns of a multiple of 8 rows become rows of k values each.
+// Eight rows at a time, which is a line of each column.
 void transpose(const double *columns, size_t stride, size_t rows, size_t k, double *out) {
   for (size_t i = 0; i < rows; i += 8) {
     const size_t end = i + 8 < rows ? i + 8 : rows;

@@ -354,7 +354,7 @@ void Factor::eliminate(Index part, const double *left, const double *right, doub
   const Record head = record(part);
   double *const begin = panels + offset_[part], *const inverse = panels + own_offset_[part];
   std::memcpy(begin, &head, sizeof head);
-  std::memcpy(begin + sizeof head / sizeof(double), rows.data(), rows.size_bytes());
+  std::memcpy(begin + Record::rows(), rows.data(), rows.size_bytes());
   double *out = inverse;
   for (std::size_t j = 0; j < k; ++j) *out++ = 1 / front[j * ld + j];
   for (std::size_t j = 0; j < k; ++j) out = std::copy_n(front + j * ld + j + 1, k - j - 1, out);

@@ -77,7 +77,8 @@ class Factor {
   struct Record {
     Index part, begin, columns, count;
 
-    std::size_t matrix() const { return sizeof(Record) / sizeof(double) + (std::size_t{count} + 1) / 2; }
+    static constexpr std::size_t rows() { return sizeof(Record) / sizeof(double); }  // where they begin, in doubles
+    std::size_t matrix() const { return rows() + (std::size_t{count} + 1) / 2; }
     std::size_t doubles() const { return matrix() + std::size_t{columns} * count; }
   };
   struct Tile {

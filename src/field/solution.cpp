@@ -88,7 +88,7 @@ void Solution::substitute(const Factor::Tile &tile) {
     std::memcpy(&record, at, sizeof record);
     const double *const next = at + record.doubles();
     prefetch(at + kAhead, next + kAhead);
-    const auto *const rows = reinterpret_cast<const Index *>(at + sizeof record / sizeof(double));
+    const auto *const rows = reinterpret_cast<const Index *>(at + Factor::Record::rows());
     kernels.minus_product(at + record.matrix(), record.count, record.columns, rows, x, x + record.begin);
     if (!source_.part.empty()) add_source(record);
     at = next;
