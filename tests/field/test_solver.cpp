@@ -216,6 +216,20 @@ TEST_CASE("a point on the wrong side of a seam is an outlier; the points on thei
   CHECK(find_outliers(Solver(s, w, right, Executor(1)), right, Vec<double>(6, 0.3)) == Vec<std::uint8_t>(6, 0));
 }
 
+TEST_CASE("a point that a seam parts from another tooth stays, though a deeper one parts it from its own") {
+  const mesh::Surface s = forms::plane(12, 6, 48, 24);
+  Vec<double> w(s.edge.size(), 1);
+  for (Index e = 0; e < w.size(); ++e) {
+    const double x = (s.position[s.edge[e][0]].x() + s.position[s.edge[e][1]].x()) / 2;
+    if (std::abs(x - 3.1) < 0.2) w[e] = 1e-3;
+    if (std::abs(x - 7.1) < 0.2) w[e] = 1e-2;
+  }
+  const auto at = [](Index i, Index j) { return j * 49 + i; };
+  const Sites sites{{at(6, 12), at(20, 12), at(36, 6), at(36, 18)}, {0, 0, 1, 1}, 2};
+  const Nodes nodes = make_nodes(s, sites, {0.7, false, 13});
+  CHECK(find_outliers(Solver(s, w, nodes, Executor(1)), nodes, Vec<double>(4, 0.3)) == Vec<std::uint8_t>(4, 0));
+}
+
 TEST_CASE("a flat point with no seam between it and the gingiva is freed; a cusp there, or one set by hand, is not") {
   const mesh::Surface s = forms::plane(40, 6, 160, 24);  // a tooth up to x = 6, gingiva for certain near the far end
   Vec<double> w(s.edge.size(), 1);
