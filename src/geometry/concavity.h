@@ -9,8 +9,9 @@ namespace ts::geometry {
 // from the mean of its ring along its normal. 0.024 to 0.052 on clean scans, 0.06 and more with noise of 0.05 edges.
 double noise_gauge(const Surface &surface, const Vec<Vec3> &normal, const Executor &executor);
 
-// mm over which the positions are smoothed before curvature is taken, for a reading of the gauge: 0 on clean scans.
-double presmoothing(double gauge);
+// mm over which the positions are smoothed before curvature is taken, for a reading of the gauge and the surface's mean
+// edge in mm: 0 on clean scans.
+double presmoothing(double gauge, double mean_edge);
 
 // How deep the valleys are, 1/mm. `inside_out`: the faces look inwards, so that it is the bulges that are valleys.
 struct Concavity {

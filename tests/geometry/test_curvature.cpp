@@ -109,7 +109,7 @@ TEST_CASE("Eq. 9: the vertices of a valley pass, those of a ridge or a plane do 
 
 TEST_CASE("the noise gauge tells rough from smooth; only rough is smoothed") {
   Surface s = forms::sphere(8, 4);
-  CHECK(presmoothing(gauge_of(s)) == 0);
+  CHECK(presmoothing(gauge_of(s), 0.85) == 0);
   std::uint32_t state = 1;
   Vec<mesh::Vec3> shaken = s.position;
   for (auto &p : shaken) {
@@ -121,8 +121,10 @@ TEST_CASE("the noise gauge tells rough from smooth; only rough is smoothed") {
   const double gauge = gauge_of(rough);
   CHECK(gauge > 0.15);
   CHECK(gauge < 0.35);
-  CHECK(presmoothing(gauge) > 0.2);
-  CHECK(presmoothing(10) == 1);
+  CHECK(presmoothing(gauge, 0.85) > 0.2);
+  CHECK(presmoothing(10, 0.85) == 1);
+  CHECK(presmoothing(10, 0.85 / 8) == doctest::Approx(0.25));  // a fine mesh shakes less, in mm
+  CHECK(presmoothing(10, 10) == 1.5);
   // What noise adds to lengths and areas is told, and nothing is told of a smooth surface.
   const Concavity smooth_c = concavity(s, 0.15, false, Executor(1)),
                   rough_c = concavity(rough, 0.15, false, Executor(1));
