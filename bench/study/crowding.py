@@ -1,10 +1,8 @@
 """Section 1 (paper, Fig. 6 and Table 1): ten crowded arches, a click for every two teeth."""
-import numpy as np
-
 import meshes
-from library import Library, Scan
-from pieces import Piece, library_path
-from scoring import Truth, summary
+from clicking import Arch
+from pieces import Piece
+from scoring import summary
 from text import number, table
 
 # Jaws, and triangles of the paper's Table 1. The paper's pictures show three degrees of crowding without naming each
@@ -30,21 +28,10 @@ def models(study):
     return out
 
 
-def measure(study, spec, seeds, preset="default"):
-    """Figures a tooth for the clicks of each seed, on one preparation each."""
-    mesh = meshes.arch(study, **spec)
-    v, f, reference = meshes.read(mesh)
-    truth = Truth(v, f, reference)
-    scan = Scan(Library(library_path(study)), mesh.path)
-    out = {**meshes.size_of(mesh), "teeth": len(set(reference[reference > 0])), "groups": len(scan.groups()), "seeds": {}}
-    edges = np.linalg.norm(v[truth.edge[:, 0]] - v[truth.edge[:, 1]], axis=1)
-    out["mean_edge"] = float(edges.mean())
-    for seed in seeds:
-        segmentation = scan.prepare(preset)
-        clicks, teeth = meshes.clicks(study, v, f, reference, "pairs", seed)
-        failed = segmentation.click_all(clicks)
-        out["seeds"][str(seed)] = {"clicks": len(teeth), "failed": failed, "teeth": truth.figures(segmentation.labels())}
-    return out
+def measure(study, spec, seeds):
+    """Figures a tooth for the clicks of each seed."""
+    arch = Arch(study, meshes.arch(study, **spec))
+    return {**arch.size(), "seeds": arch.clicked(seeds)}
 
 
 def pieces(study):

@@ -19,7 +19,7 @@ Study = namedtuple("Study", "quick folder build scans scorer rival")  # folders,
 # change makes the result old.
 Piece = namedtuple("Piece", "name module function arguments alone tools", defaults=((), False, ()))
 
-COMMON = ("library.py", "scoring.py", "meshes.py", "../score.py")
+COMMON = ("clicking.py", "library.py", "scoring.py", "meshes.py", "../score.py")
 
 
 def library_path(study):
