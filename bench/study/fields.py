@@ -3,6 +3,7 @@ import numpy as np
 
 import draw
 import plots
+from library import Failure
 
 EVERY = 4  # a contour in so many is drawn
 
@@ -26,7 +27,12 @@ def compare(study, name, arch, tooth, ways):
     figure, axes = draw.plt.subplots(3, len(ways), figsize=(2.6 * len(ways), 7), squeeze=False)
     for column, (title, preset, settings) in zip(axes.T, ways):
         segmentation = arch.scan.prepare(preset, **settings)
-        click_on(column, arch, segmentation, segmentation.click(at), view, around)
+        try:
+            click_on(column, arch, segmentation, segmentation.click(at), view, around)
+        except Failure as e:
+            title += ": " + e.status
+            for ax in column:
+                ax.axis("off")
         column[0].set_title(title, fontsize=9)
     figure.tight_layout(pad=0.3)
     draw.save(figure, plots.drawn(study, name))
