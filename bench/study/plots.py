@@ -32,8 +32,9 @@ def lines(study, name, panels):
     for ax, (title, label, logarithmic, curves) in zip(axes[0], panels):
         for place, (curve, (x, y)) in enumerate(curves.items()):
             ax.plot(x, y, "-o" if place % 2 == 0 else "--s", color="C%d" % (place // 2), label=curve)
-        ax.set(title=title, xlabel=label, xscale="log" if logarithmic else "linear", xticks=sorted({a for x, _ in curves.values() for a in x}))
-        ax.get_xaxis().set_major_formatter(draw.matplotlib.ticker.FuncFormatter(lambda a, _: "%gk" % round(a / 1000) if a >= 1000 else "%g" % a))
+        ax.set(title=title, xlabel=label, xscale="log" if logarithmic else "linear",
+               xticks=sorted({a for x, _ in curves.values() for a in x}))
+        ax.get_xaxis().set_major_formatter(lambda a, _: "%.0fk" % (a / 1000) if a >= 1000 else "%g" % a)
         ax.minorticks_off()
         ax.grid(alpha=0.3)
         ax.legend(fontsize=8)
@@ -52,7 +53,7 @@ def bars(study, name, groups, stacks, label):
         for part, values in parts.items():
             ax.bar(groups, values, bottom=base, label=part)
             base = [a + b for a, b in zip(base, values)]
-        ax.set(title=bar, ylabel=label)
-        ax.legend(fontsize=8)
+        ax.set(title=bar, ylabel=label, ylim=(0, 1.25 * max(base)))
+        ax.legend(fontsize=8, loc="upper left")
     figure.tight_layout()
     draw.save(figure, drawn(study, name))

@@ -51,8 +51,8 @@ def section(study, results):
     text = ["## 6. Time of a click (Fig. 11)", "",
             "Medians over the clicks that the library proposes, ms, on the untouched scan with all cores, each model alone on the machine, both "
             "ways in turns (%d rounds). The paper's way assembles, analyses, factorises and solves the whole system for each click (Eigen's "
-            "SimplicialLDLT), then selects the cut and labels as the library does it with the paper's preset. Ours prepares a scan once and solves "
-            "the field where the cut looks at it: its `field` is a share of `cut` and `label`, and not added again. `total` is from the "
+            "SimplicialLDLT), then selects the cut and labels as the library does it with the paper's preset. Ours prepares a scan once and "
+            "solves the field where the cut looks at it: its `field` is a share of `cut` and `label`, and not added again. `total` is from the "
             "point to the labels of all faces." % (1 if study.quick else ROUNDS), ""]
     if not got:
         return text + ["Not measured: ts-click-times is not built.", ""]
@@ -68,7 +68,7 @@ def section(study, results):
     if study.pictures:
         pairs = [ways(r) for r in got.values()]
         plots.bars(study, "times", list(got), {
-            "The paper's way": {"field": [a["field"] for a, _ in pairs], "cut": [a["cut"] for a, _ in pairs], "label": [a["label"] for a, _ in pairs]},
+            "The paper's way": {stage: [a[stage] for a, _ in pairs] for stage in STAGES},
             "Ours": {"field": [b["field"] for _, b in pairs], "cut and label": [b["total"] - b["field"] for _, b in pairs]}}, "ms a click")
         text += plots.placed(study, "times", "Milliseconds a click, each way on its own scale")
     return text
