@@ -7,11 +7,13 @@ from crowding import models
 from library import Failure
 from pieces import Piece
 from scoring import summary
+from targets import Figure
 from text import number, table
 
 SMALL = 60000
 PRESETS = ("default", "paper")
 POINTS = {"one": 1, "all": 0}  # points_per_group
+REFUSED = {"iou": 0.0, "dice": 0.0, "edge": None, "p95": None}
 
 
 def arches(study):
@@ -60,6 +62,13 @@ def pieces(study):
     return out
 
 
+def headline(study, results):
+    """Guarded only: what the default makes of molars at all their points."""
+    got = [results.get("constraints/" + case, {}) for case in arches(study)]
+    teeth = [x for r in got if "ways" in r for x in r["ways"]["default"]["all"].values()]
+    return [Figure("IoU of molars, all points", summary([x or REFUSED for x in teeth])["iou"], None, None, "more", 0.01)] if teeth else []
+
+
 def section(study, results):
     rows, every = [], {}
     for case in arches(study):
@@ -82,5 +91,5 @@ def section(study, results):
 
 def row_of(teeth):
     teeth = list(teeth)
-    s = summary([x or {"iou": 0.0, "dice": 0.0, "edge": None, "p95": None} for x in teeth])
+    s = summary([x or REFUSED for x in teeth])
     return [len(teeth), sum(x is None for x in teeth), s["lost"], number(s["iou"], 4), number(s["edge"]), number(s["edge_p95"])]
