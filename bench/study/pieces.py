@@ -21,7 +21,7 @@ Study = namedtuple("Study", "quick folder build scans scorer pictures")  # folde
 Piece = namedtuple("Piece", "name module function arguments alone tools", defaults=((), False, ()))
 
 COMMON = ("clicking.py", "library.py", "scoring.py", "meshes.py", "../score.py")
-DRAWING = ("draw.py", "plots.py", "../../scripts/render.py")
+DRAWING = ("draw.py", "fields.py", "plots.py", "../../scripts/render.py")
 PICTURE = "picture/"
 
 
