@@ -52,7 +52,9 @@ def show(ax, v, f, *, labels=None, face_color=None, vertex_scalar=None, lines=()
     camera = render.View(np.array([low, high]) @ np.array([right, upward]), eye, upward, width, height, 0)
     face_colour, vertex_colour = None, None
     if vertex_scalar is not None:
-        vertex_colour = cmap(np.clip((np.asarray(vertex_scalar) - limits[0]) / (limits[1] - limits[0]), 0, 1))[:, :3]
+        value = np.asarray(vertex_scalar, float)
+        vertex_colour = cmap(np.clip((value - limits[0]) / (limits[1] - limits[0]), 0, 1))[:, :3]
+        vertex_colour[~np.isfinite(value)] = render.PLAIN  # pieces of the mesh that no constraint is on
     elif labels is not None:
         face_colour = label_colours(np.asarray(labels)[part])
     elif face_color is not None:
@@ -83,6 +85,13 @@ def show(ax, v, f, *, labels=None, face_color=None, vertex_scalar=None, lines=()
     ax.axis("off")
 
 
+def few_colours(image):
+    """256 of them, fitted to a part of the pixels, for speed."""
+    small = image.resize((image.width // 4, image.height // 4), Image.Resampling.NEAREST)
+    palette = small.quantize(256, method=Image.Quantize.MEDIANCUT, kmeans=1)
+    return image.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)
+
+
 def save(figure, path, dpi=110):
     """A PNG; with 256 colours, then smaller, until it is under the limit."""
     few = False
@@ -90,7 +99,7 @@ def save(figure, path, dpi=110):
         raw, picture = io.BytesIO(), io.BytesIO()
         figure.savefig(raw, format="png", dpi=dpi, facecolor="white")
         image = Image.open(raw).convert("RGB")
-        (image.quantize(256, method=Image.Quantize.MEDIANCUT) if few else image).save(picture, "PNG", optimize=True)
+        (few_colours(image) if few else image).save(picture, "PNG", optimize=True)
         if picture.tell() <= LARGEST:
             break
         few, dpi = True, dpi * 0.85 if few else dpi

@@ -1,7 +1,6 @@
 """Pictures of one click, in columns beside each other: the field, its contours, and what comes of them."""
 import numpy as np
 
-import draw
 import plots
 from library import Failure
 
@@ -23,6 +22,7 @@ def beside(arch, tooth):
 
 def compare(study, name, arch, tooth, ways):
     """A column for each of `ways` (title, preset, settings): the same click with each."""
+    import draw
     at, view, around = beside(arch, tooth)
     figure, axes = draw.plt.subplots(3, len(ways), figsize=(2.6 * len(ways), 7), squeeze=False)
     for column, (title, preset, settings) in zip(axes.T, ways):
@@ -40,6 +40,7 @@ def compare(study, name, arch, tooth, ways):
 
 def click_on(axes, arch, segmentation, click, view, around):
     """Three axes. Field and contours are on the library's mesh; blue is the tooth clicked, its constraints with it."""
+    import draw
     v, f, u = arch.scan.positions(), arch.scan.triangles(), segmentation.field(click)
     info, held = segmentation.info(click), []
     for tooth, colour in ((info.target, "blue"), (info.neighbour, "red")):
