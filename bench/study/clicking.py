@@ -24,12 +24,19 @@ class Arch:
         """Positions, and the teeth that they are on."""
         return meshes.clicks(self.study, self.v, self.f, self.reference, how, seed)
 
-    def clicked(self, seeds, how="pairs", preset="default", **settings):
-        """Figures a tooth for the clicks of each seed, each on a preparation of its own."""
+    def clicked(self, seeds, how="pairs", preset="default", keep=None, **settings):
+        """Figures a tooth for the clicks of each seed, each on a preparation of its own. `keep`: a file for the first seed's clicks,
+        and the labels after each, for who draws them."""
         out = {}
         for seed in seeds:
             segmentation = self.scan.prepare(preset, **settings)
             positions, teeth = self.clicks(how, seed)
-            failed = segmentation.click_all(positions)
+            failed, after = [], []
+            for position in positions:
+                failed += segmentation.click_all([position])
+                if keep and seed == seeds[0]:
+                    after.append(segmentation.labels().astype(np.uint8))
+            if after:
+                np.savez_compressed(keep, clicks=positions, labels=after)
             out[str(seed)] = {"clicks": len(teeth), "failed": failed, "teeth": self.truth.figures(segmentation.labels())}
         return out

@@ -1,4 +1,8 @@
 """Section 1 (paper, Fig. 6 and Table 1): ten crowded arches, a click for every two teeth."""
+import os
+
+import numpy as np
+
 import meshes
 import plots
 from clicking import Arch
@@ -31,25 +35,28 @@ def models(study):
     return out
 
 
-def measure(study, spec, seeds):
+def kept(study, case):
+    """Where `measure` keeps the clicks of the first seed, and the labels after each."""
+    return os.path.join(study.folder, "crowding-%s.npz" % case)
+
+
+def measure(study, spec, seeds, case):
     """Figures a tooth for the clicks of each seed."""
     arch = Arch(study, meshes.arch(study, **spec))
-    return {**arch.size(), "seeds": arch.clicked(seeds)}
+    return {**arch.size(), "seeds": arch.clicked(seeds, keep=kept(study, case))}
 
 
 def picture_steps(study, spec, case):
     """Paper's Fig. 6: consecutive clicks on one arch."""
     import draw
-    arch = Arch(study, meshes.arch(study, **spec))
-    segmentation, clicks = arch.scan.prepare(), arch.clicks("pairs", SEEDS[0])[0]
+    v, f, _ = meshes.read(meshes.arch(study, **spec))
+    shown = np.load(kept(study, case))
+    clicks, labels = shown["clicks"], shown["labels"]
     figure, axes = draw.plt.subplots(1, 4, figsize=(13.6, 3.1), constrained_layout=True)
-    shown = [1 + round(k * (len(clicks) - 1) / (len(axes) - 1)) for k in range(len(axes))]
-    for n in range(1, len(clicks) + 1):
-        segmentation.click_all(clicks[n - 1:n])
-        if n in shown:
-            ax = axes[shown.index(n)]
-            draw.show(ax, arch.v, arch.f, labels=segmentation.labels(), points=[(clicks[:n], "black", 3)])
-            ax.set_title("%d click%s" % (n, "s" if n > 1 else ""), fontsize=10)
+    for k, ax in enumerate(axes):
+        n = 1 + round(k * (len(clicks) - 1) / (len(axes) - 1))
+        draw.show(ax, v, f, labels=labels[n - 1], points=[(clicks[:n], "black", 3)], pixels=600)
+        ax.set_title("%d click%s" % (n, "s" if n > 1 else ""), fontsize=10)
     draw.save(figure, plots.drawn(study, "crowding-" + case))
     return {}
 
@@ -58,21 +65,20 @@ def picture_all(study, specs):
     """What the clicks of the first seed give, of every arch."""
     import draw
     columns = min(5, len(specs))
-    figure, axes = draw.plt.subplots(-(-len(specs) // columns), columns, squeeze=False, constrained_layout=True,
-                                     figsize=(2.8 * columns, 2.7 * -(-len(specs) // columns)))
+    rows = -(-len(specs) // columns)
+    figure, axes = draw.plt.subplots(rows, columns, squeeze=False, constrained_layout=True, figsize=(2.8 * columns, 2.7 * rows))
     for ax, (case, spec) in zip(axes.flat, specs.items()):
-        arch = Arch(study, meshes.arch(study, **spec))
-        segmentation = arch.scan.prepare()
-        segmentation.click_all(arch.clicks("pairs", SEEDS[0])[0])
-        draw.show(ax, arch.v, arch.f, labels=segmentation.labels(), pixels=500)
+        v, f, _ = meshes.read(meshes.arch(study, **spec))
+        draw.show(ax, v, f, labels=np.load(kept(study, case))["labels"][-1], pixels=500)
         ax.set_title("%s: %s, %s" % (case, spec["jaw"], spec["crowding"]), fontsize=9)
     draw.save(figure, plots.drawn(study, "crowding"))
     return {}
 
 
 def pieces(study):
+    """The pictures are drawn from what the measuring pieces keep, and come after them (study.py)."""
     seeds, specs = list(SEEDS[:1] if study.quick else SEEDS), models(study)
-    out = [Piece("crowding/" + case, "crowding", "measure", {"spec": spec, "seeds": seeds}) for case, spec in specs.items()]
+    out = [Piece("crowding/" + case, "crowding", "measure", {"spec": spec, "seeds": seeds, "case": case}) for case, spec in specs.items()]
     if study.pictures:
         out += [Piece("picture/crowding-" + case, "crowding", "picture_steps", {"spec": specs[case], "case": case}) for case in STEPS]
         out.append(Piece("picture/crowding", "crowding", "picture_all", {"specs": specs}))

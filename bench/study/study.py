@@ -23,7 +23,7 @@ sys.path.insert(0, HERE)
 import crowding  # noqa: E402
 import targets  # noqa: E402
 from library import Library  # noqa: E402
-from pieces import Study, library_path, machine, run  # noqa: E402
+from pieces import PICTURE, Study, library_path, machine, run  # noqa: E402
 
 ROOT = os.path.dirname(os.path.dirname(HERE))
 # In the order of the report. Each has pieces(study) and section(study, results), and headline(study, results) if it has figures.
@@ -77,9 +77,9 @@ def main():
                   os.path.abspath(options.scorer), not options.no_pictures)
     modules = {name: importlib.import_module(name) for name in SECTIONS if name in options.sections}
     pieces = {name: module.pieces(study) for name, module in modules.items()}
-    # The arches of section 1 first, each made once: other sections are measured on them too.
-    first = pieces.get("crowding", [])
-    results = run(study, [first, [p for name, some in pieces.items() if name != "crowding" for p in some]], options.jobs)
+    # The arches of section 1 first, each made once: other sections are measured on them, and pictures drawn of them.
+    first = [p for p in pieces.get("crowding", []) if not p.name.startswith(PICTURE)]
+    results = run(study, [first, [p for some in pieces.values() for p in some if p not in first]], options.jobs)
 
     figures = {name: module.headline(study, results) for name, module in modules.items() if pieces[name] and hasattr(module, "headline")}
     text = header(study) + targets.section(figures)
