@@ -44,7 +44,7 @@ def store(form, figures):
     everything = read()
     block = everything.setdefault(form, {})
     for module, some in figures.items():
-        block[module] = {f.name: {"value": round(float(f.value), 5), "tolerance": f.tolerance} for f in some if measured(f.value)}
+        block[module] = {f.name: {"value": round(float(f.value), 5), "tolerance": round(float(f.tolerance), 5)} for f in some if measured(f.value)}
     with open(STORED, "w") as out:
         json.dump(everything, out, indent=1, sort_keys=True)
         out.write("\n")
