@@ -1,5 +1,6 @@
 """Section 8: how a click on a molar comes to its cuts, as the paper's Figs. 2 to 4 show it."""
 import numpy as np
+from scipy.spatial import cKDTree
 
 import fields
 import meshes
@@ -12,6 +13,7 @@ from text import number, table
 CASE, TOOTH = "A", 36  # a first molar, on an arch of the mildest crowding
 WAYS = {"paper, one point": ("paper", 1), "paper, all points": ("paper", 0), "default": ("default", 0)}  # points a tooth, 0 all
 SEAM = 2.4  # mm around a place of the gum line that is shown
+BAND = (0.5, 1.2)  # mm on both sides of the gum line, within which the field is compared
 GREY = (0.35, 0.35, 0.35)
 CHOSEN = {1: "blue", 2: "red"}  # the target's contour and the neighbour's, as the field has them
 
@@ -33,6 +35,14 @@ class Molar:
         out = eye - (eye @ up) * up
         border = self.arch.truth.border(self.arch.reference == TOOTH)
         return {"view": (out + 0.5 * up, up), "around": (border[(border @ out).argmax()], SEAM)}
+
+    def step(self):
+        """How much the field rises over the gum line: mean on the gingiva less mean on the tooth, both within BAND of the line."""
+        arch, (v, _) = self.arch, self.mesh()
+        away = cKDTree(arch.truth.border(arch.reference == TOOTH)).query(v)[0]
+        band = np.flatnonzero((away > BAND[0]) & (away < BAND[1]))
+        on = arch.reference[cKDTree(arch.v[arch.f].mean(1)).query(v[band])[1]]
+        return float(self.field[band[on == 0]].mean() - self.field[band[on == TOOTH]].mean())
 
     def constraints(self):
         """Feature points that are held, on the tooth clicked (blue, 0) and on the others (red, 1)."""
@@ -59,6 +69,7 @@ def measure(study, spec, way):
     chosen = {str(c.chosen): {"iso": c.iso, "gradient": c.gradient, "concavity": c.concavity} for c in contours if c.chosen}
     return {**meshes.size_of(m.arch.mesh), "v_med": m.info.v_med, "bin_max": [most / len(bins), (most + 1) / len(bins)], "contours": len(contours),
             "in_bin_max": float(bins[most] / bins.sum()), "target_iso": m.info.target_iso, "neighbour_iso": m.info.neighbour_iso, "chosen": chosen,
+            "step": m.step(),
             "tooth": m.arch.truth.figures(m.segmentation.labels(), [TOOTH])[TOOTH]}
 
 
@@ -126,20 +137,21 @@ def section(study, results):
     for piece in (p for p in pieces(study) if p.function == "measure"):
         way, r = piece.arguments["way"], results.get(piece.name, {"error": "not measured"})
         if "error" in r:
-            rows.append([way, "failed: " + r["error"]] + [""] * 11)
+            rows.append([way, "failed: " + r["error"]] + [""] * 12)
             continue
         rows.append([way, r["triangles"], r["contours"], number(r["v_med"]), "%.2f to %.2f" % tuple(r["bin_max"]), number(r["in_bin_max"])])
         for which, iso in (("1", r["target_iso"]), ("2", r["neighbour_iso"])):
             c = r["chosen"].get(which)
             rows[-1] += [number(iso, 2), number(c["gradient"]) if c else "-", number(c["concavity"]) if c else "-"]
-        rows[-1] += [number(r["tooth"]["iou"], 4)]
+        rows[-1] += [number(r["step"]), number(r["tooth"]["iou"], 4)]
     head = ["way", "triangles", "contours", "V_med", "Bin_max", "its share", "target's cut", "gradient", "concavity", "neighbour's cut",
-            "gradient", "concavity", "IoU"]
+            "gradient", "concavity", "step", "IoU"]
     text = ["## 8. Anatomy of a click (Figs. 2 to 4)", "",
             "One click on the first molar %d of model %s, on the untouched scan. The field is 0 (blue) on the tooth clicked and 1 (red) on its "
             "neighbour; the default preset also holds all other teeth and the gingiva at 1/2. `gradient`: mean along the chosen contour, 1/mm; "
-            "`concavity`: its share in concave valleys. `IoU`: of the molar. Balls: the constraints; "
-            "thick lines: the chosen contours, before the default moves them into the valleys." % (TOOTH, CASE), "", table(head, rows), ""]
+            "`concavity`: its share in concave valleys. `step`: how much the field rises from the tooth to the gingiva, %g to %g mm from the gum "
+            "line: what the paper wants more constraints for. `IoU`: of the molar. Balls: the constraints; "
+            "thick lines: the chosen contours, before the default moves them into the valleys." % (TOOTH, CASE, *BAND), "", table(head, rows), ""]
     if study.pictures:
         text += plots.placed(study, "molar-constraints", "The paper's preset with one pair of constraints and with all: field, seam, result")
         text += plots.placed(study, "molar-cuts", "Contours, those at the seam, and the histogram with Bin_max, V_med and the cuts")
