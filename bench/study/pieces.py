@@ -14,7 +14,7 @@ from collections import namedtuple
 import plots
 from meshes import HERE, digest, tool
 
-Study = namedtuple("Study", "quick folder build scans scorer pictures")  # folders, and files from elsewhere; flags
+Study = namedtuple("Study", "quick folder build scans scorer pictures report")  # two flags; the rest are paths
 
 # `module` and `function` say what is run; `alone`: nothing else may run meanwhile (it is timed); `tools`: programs whose
 # change makes the result old. A piece named picture/NAME draws the picture NAME (plots.drawn).

@@ -1,9 +1,6 @@
-"""Plots of the study's figures, and where its pictures go: docs/study/, or with --quick the study's own folder."""
+"""Plots of the study's figures, and where its pictures go."""
 import os
 import shutil
-
-HERE = os.path.dirname(os.path.abspath(__file__))
-DOCS = os.path.join(os.path.dirname(os.path.dirname(HERE)), "docs", "study")
 
 
 def drawn(study, name):
@@ -14,15 +11,16 @@ def drawn(study, name):
 
 
 def placed(study, name, text):
-    """Lines of the report that show a picture, put where the report finds it; none if it was not drawn."""
-    path = drawn(study, name)
+    """Lines of the report that show a picture; none if it was not drawn. A report outside of the study's folder has its pictures
+    beside it: docs/study.md in docs/study."""
+    path, beside = drawn(study, name), os.path.dirname(study.report)
     if not os.path.exists(path):
         return []
-    if study.quick:
-        return ["![%s](pictures/%s.png)" % (text, name), ""]
-    os.makedirs(DOCS, exist_ok=True)
-    shutil.copyfile(path, os.path.join(DOCS, name + ".png"))
-    return ["![%s](study/%s.png)" % (text, name), ""]
+    if os.path.commonpath([study.folder, study.report]) != study.folder:
+        folder = os.path.splitext(study.report)[0]
+        os.makedirs(folder, exist_ok=True)
+        path = shutil.copyfile(path, os.path.join(folder, name + ".png"))
+    return ["![%s](%s)" % (text, os.path.relpath(path, beside)), ""]
 
 
 def lines(study, name, panels):

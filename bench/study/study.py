@@ -52,7 +52,7 @@ def read_options():
         parser.error("no section " + ", ".join(sorted(unknown)))
     options.folder = os.path.abspath(options.folder or os.path.join(ROOT, "build", "study-quick" if options.quick else "study"))
     whole = not options.quick and set(options.sections) == set(SECTIONS) and not options.no_pictures
-    options.out = options.out or os.path.join(os.path.join(ROOT, "docs") if whole else options.folder, "study.md")
+    options.out = os.path.abspath(options.out or os.path.join(os.path.join(ROOT, "docs") if whole else options.folder, "study.md"))
     return options
 
 
@@ -74,7 +74,7 @@ def header(study):
 def main():
     options = read_options()
     study = Study(options.quick, options.folder, os.path.abspath(options.build), os.path.abspath(options.scans),
-                  os.path.abspath(options.scorer), not options.no_pictures)
+                  os.path.abspath(options.scorer), not options.no_pictures, options.out)
     modules = {name: importlib.import_module(name) for name in SECTIONS if name in options.sections}
     pieces = {name: module.pieces(study) for name, module in modules.items()}
     # The arches of section 1 first, each made once: other sections are measured on them, and pictures drawn of them.
@@ -85,7 +85,7 @@ def main():
     text = header(study) + targets.section(figures)
     for module in modules.values():
         text += module.section(study, results)
-    os.makedirs(os.path.dirname(os.path.abspath(options.out)), exist_ok=True)
+    os.makedirs(os.path.dirname(options.out), exist_ok=True)
     with open(options.out, "w") as f:
         f.write("\n".join(text))
     print("written:", options.out)
