@@ -24,6 +24,12 @@ class Arch:
         """Positions, and the teeth that they are on."""
         return meshes.clicks(self.study, self.v, self.f, self.reference, how, seed)
 
+    def top_of(self, tooth):
+        """A click on a tooth (FDI): the face nearest the middle of its top."""
+        crown, up = self.v[self.f[self.reference == tooth]].mean(1), self.scan.occlusal()
+        top = crown[crown @ up > np.percentile(crown @ up, 60)]
+        return top[np.linalg.norm(np.cross(top - crown.mean(0), up), axis=1).argmin()]
+
     def clicked(self, seeds, how="pairs", preset="default", keep=None, **settings):
         """Figures a tooth for the clicks of each seed, each on a preparation of its own. `keep`: a file for the first seed's clicks,
         and the labels after each, for who draws them."""

@@ -33,7 +33,7 @@ def measure(study, spec):
     arch = Arch(study, meshes.arch(study, **spec))
     out = {**arch.size(), "ways": {preset: {points: {} for points in POINTS} for preset in PRESETS}}
     for tooth in molars(arch.reference):
-        at = fields.beside(arch, tooth)[0]
+        at = arch.top_of(tooth)
         for preset in PRESETS:
             for points, most in POINTS.items():
                 segmentation = arch.scan.prepare(preset, points_per_group=most)

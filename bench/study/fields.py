@@ -8,16 +8,11 @@ EVERY = 4  # a contour in so many is drawn
 
 
 def beside(arch, tooth):
-    """For a picture of one tooth (FDI): a click on the middle of its top, the view on it from the cheek and from above, and
-    what part to show."""
-    centre = arch.v[arch.f].mean(1)
-    crown = centre[arch.reference == tooth]
-    up, middle = arch.scan.occlusal(), crown.mean(0)
-    top = crown[crown @ up > np.percentile(crown @ up, 60)]
-    at = top[np.linalg.norm(np.cross(top - middle, up), axis=1).argmin()]
+    """For a picture of one tooth (FDI): the click on its top, the view on it from the cheek and from above, and what part to show."""
+    up, middle = arch.scan.occlusal(), arch.v[arch.f[arch.reference == tooth]].mean((0, 1))
     out = middle - arch.v.mean(0)
     out -= up * (out @ up)
-    return at, (out / np.linalg.norm(out) + 0.9 * up, up), (middle, 9.0)
+    return arch.top_of(tooth), (out / np.linalg.norm(out) + 0.9 * up, up), (middle, 9.0)
 
 
 def compare(study, name, arch, tooth, ways):
