@@ -1,10 +1,14 @@
 """Section 1 (paper, Fig. 6 and Table 1): ten crowded arches, a click for every two teeth."""
+import os
+
 import numpy as np
 
 import meshes
-from library import Library, Scan
-from pieces import Piece, library_path
-from scoring import Truth, summary
+import plots
+from clicking import Arch
+from pieces import Piece
+from scoring import summary
+from targets import Figure
 from text import number, table
 
 # Jaws, and triangles of the paper's Table 1. The paper's pictures show three degrees of crowding without naming each
@@ -18,6 +22,7 @@ CROWDING = {"A": "mild", "B": "mild", "C": "moderate", "D": "moderate", "E": "se
             "H": "severe", "I": "severe", "J": "mild"}
 MISSING = {"E": "46", "F": "24"}
 SEEDS = (1, 2, 3)  # of the clicks
+STEPS = ("H", "F")  # shown click by click: the most crowded of each jaw that the quick form has too
 
 
 def models(study):
@@ -30,28 +35,53 @@ def models(study):
     return out
 
 
-def measure(study, spec, seeds, preset="default"):
-    """Figures a tooth for the clicks of each seed, on one preparation each."""
-    mesh = meshes.arch(study, **spec)
-    v, f, reference = meshes.read(mesh)
-    truth = Truth(v, f, reference)
-    scan = Scan(Library(library_path(study)), mesh.path)
-    out = {**meshes.size_of(mesh), "teeth": len(set(reference[reference > 0])), "groups": len(scan.groups()), "seeds": {}}
-    edges = np.linalg.norm(v[truth.edge[:, 0]] - v[truth.edge[:, 1]], axis=1)
-    out["mean_edge"] = float(edges.mean())
-    for seed in seeds:
-        segmentation = scan.prepare(preset)
-        clicks, teeth = meshes.clicks(study, v, f, reference, "pairs", seed)
-        failed = segmentation.click_all(clicks)
-        out["seeds"][str(seed)] = {"clicks": len(teeth), "failed": failed, "teeth": truth.figures(segmentation.labels())}
-    return out
+def kept(study, case):
+    """Where `measure` keeps the clicks of the first seed, and the labels after each."""
+    return os.path.join(study.folder, "crowding-%s.npz" % case)
+
+
+def measure(study, spec, seeds, case):
+    """Figures a tooth for the clicks of each seed."""
+    arch = Arch(study, meshes.arch(study, **spec))
+    return {**arch.size(), "seeds": arch.clicked(seeds, keep=kept(study, case))}
+
+
+def picture_steps(study, spec, case):
+    """Paper's Fig. 6: consecutive clicks on one arch."""
+    import draw
+    v, f, _ = meshes.read(meshes.arch(study, **spec))
+    shown = np.load(kept(study, case))
+    clicks, labels = shown["clicks"], shown["labels"]
+    figure, axes = draw.plt.subplots(1, 4, figsize=(13.6, 3.1), constrained_layout=True)
+    for k, ax in enumerate(axes):
+        n = 1 + round(k * (len(clicks) - 1) / (len(axes) - 1))
+        draw.show(ax, v, f, labels=labels[n - 1], points=[(clicks[:n], "black", 3)], pixels=600)
+        ax.set_title("%d click%s" % (n, "s" if n > 1 else ""), fontsize=10)
+    draw.save(figure, plots.drawn(study, "crowding-" + case))
+    return {}
+
+
+def picture_all(study, specs):
+    """What the clicks of the first seed give, of every arch."""
+    import draw
+    columns = min(5, len(specs))
+    rows = -(-len(specs) // columns)
+    figure, axes = draw.plt.subplots(rows, columns, squeeze=False, constrained_layout=True, figsize=(2.8 * columns, 2.7 * rows))
+    for ax, (case, spec) in zip(axes.flat, specs.items()):
+        v, f, _ = meshes.read(meshes.arch(study, **spec))
+        draw.show(ax, v, f, labels=np.load(kept(study, case))["labels"][-1], pixels=500)
+        ax.set_title("%s: %s, %s" % (case, spec["jaw"], spec["crowding"]), fontsize=9)
+    draw.save(figure, plots.drawn(study, "crowding"))
+    return {}
 
 
 def pieces(study):
-    seeds = list(SEEDS[:1] if study.quick else SEEDS)
-    out = []
-    for case, spec in models(study).items():
-        out.append(Piece("crowding/" + case, "crowding", "measure", {"spec": spec, "seeds": seeds}))
+    """The pictures are drawn from what the measuring pieces keep, and come after them (study.py)."""
+    seeds, specs = list(SEEDS[:1] if study.quick else SEEDS), models(study)
+    out = [Piece("crowding/" + case, "crowding", "measure", {"spec": spec, "seeds": seeds, "case": case}) for case, spec in specs.items()]
+    if study.pictures:
+        out += [Piece("picture/crowding-" + case, "crowding", "picture_steps", {"spec": specs[case], "case": case}) for case in STEPS]
+        out.append(Piece("picture/crowding", "crowding", "picture_all", {"specs": specs}))
     return out
 
 
@@ -60,12 +90,21 @@ def rows_of(result):
     return [r for s in result["seeds"].values() for r in s["teeth"].values()]
 
 
+def headline(study, results):
+    got = [summary(rows_of(r)) for r in (results.get("crowding/" + case, {}) for case in models(study)) if "seeds" in r]
+    if not got:
+        return []
+    return [Figure("mean IoU of the worst arch", min(s["iou"] for s in got), ">= .93", 0.93, "more", 0.02),
+            Figure("least tooth of all arches", min(s["least"] for s in got), ">= .75", 0.75, "more", 0.05),
+            Figure("mean border error of the worst arch, mm", max(s["edge"] for s in got), "", None, "less", 0.03)]
+
+
 def section(study, results):
     rows, everyone, misses = [], [], []
     for case, spec in models(study).items():
-        r = results["crowding/" + case]
+        r = results.get("crowding/" + case, {"error": "not measured"})
         if "error" in r:
-            rows.append([case, spec["jaw"], spec["crowding"], "failed: " + r["error"]] + [""] * 9)
+            rows.append([case, spec["jaw"], spec["crowding"], "failed: " + r["error"]] + [""] * 12)
             continue
         s = summary(rows_of(r))
         everyone += rows_of(r)
@@ -96,5 +135,9 @@ def section(study, results):
                  for (case, t), got in by_tooth.items()]
         text += [""]
     else:
-        text += ["No tooth is under .75.", ""]
+        text += ["No tooth is under .75." if everyone else "Not measured.", ""]
+    if study.pictures:
+        for case in STEPS:
+            text += plots.placed(study, "crowding-" + case, "Model %s, click by click" % case)
+        text += plots.placed(study, "crowding", "All models, separated by the clicks of the first seed")
     return text

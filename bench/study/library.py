@@ -12,8 +12,11 @@ class Failure(Exception):
     """A status other than TS_OK, with the library's message."""
 
     def __init__(self, status, message):
-        super().__init__("%s: %s" % (status, message))
+        super().__init__(status, message)  # as given, for the way from one process to another
         self.status = status
+
+    def __str__(self):
+        return "%s: %s" % self.args
 
 
 def struct(name, fields):

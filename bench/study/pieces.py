@@ -11,15 +11,18 @@ import sys
 import time
 from collections import namedtuple
 
+import plots
 from meshes import HERE, digest, tool
 
-Study = namedtuple("Study", "quick folder build scans scorer rival")  # folders, and files from elsewhere
+Study = namedtuple("Study", "quick folder build scans scorer pictures report")  # two flags; the rest are paths
 
 # `module` and `function` say what is run; `alone`: nothing else may run meanwhile (it is timed); `tools`: programs whose
-# change makes the result old.
+# change makes the result old. A piece named picture/NAME draws the picture NAME (plots.drawn).
 Piece = namedtuple("Piece", "name module function arguments alone tools", defaults=((), False, ()))
 
-COMMON = ("library.py", "scoring.py", "meshes.py", "../score.py")
+COMMON = ("clicking.py", "library.py", "scoring.py", "meshes.py", "../score.py")
+DRAWING = ("draw.py", "fields.py", "plots.py", "../../scripts/render.py")
+PICTURE = "picture/"
 
 
 def library_path(study):
@@ -36,7 +39,7 @@ def machine():
 
 
 def key_of(study, piece):
-    code = [piece.module + ".py", *COMMON]
+    code = [piece.module + ".py", *COMMON, *(DRAWING if piece.name.startswith(PICTURE) else ())]
     binaries = [library_path(study)] + [tool(study, t) for t in piece.tools]
     parts = [piece.name, piece.function, piece.arguments, [digest(os.path.join(HERE, c)) for c in code],
              [digest(b) if b and os.path.exists(b) else None for b in binaries], machine() if piece.alone else None]
@@ -45,6 +48,12 @@ def key_of(study, piece):
 
 def result_file(study, piece):
     return os.path.join(study.folder, "pieces", "%s.%s.json" % (piece.name.replace("/", "-"), key_of(study, piece)))
+
+
+def there(study, piece):
+    """Whether it is measured; of a picture, whether it still is where it was drawn."""
+    picture = piece.name[len(PICTURE):] if piece.name.startswith(PICTURE) else None
+    return os.path.exists(result_file(study, piece)) and (picture is None or os.path.exists(plots.drawn(study, picture)))
 
 
 def measure(study, piece):
@@ -77,15 +86,14 @@ def run(study, stages, jobs):
         for alone in (False, True):
             todo = []
             for piece in (p for p in stage if p.alone == alone):
-                if os.path.exists(result_file(study, piece)):
+                if there(study, piece):
                     progress.tell(piece, "there already")
                 else:
                     todo.append(piece)
             run_some(study, todo, 1 if alone else jobs, progress, results)
         for piece in stage:
-            path = result_file(study, piece)
-            if os.path.exists(path):
-                with open(path) as f:
+            if piece.name not in results:  # it did not fail
+                with open(result_file(study, piece)) as f:
                     results[piece.name] = json.load(f)
     return results
 
