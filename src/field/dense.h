@@ -22,7 +22,7 @@ struct DenseKernels {
                         double *out);
 };
 
-// All of them do the same multiplications and additions in the same order, eight at a time and never fused, so every
+// All of them do the same multiplications and additions in the same order and never fused, so every
 // processor gives the same bytes.
 const DenseKernels &dense_kernels();
 

@@ -1,23 +1,25 @@
 // Compiled once for each kind of processor, under the name TS_KERNELS. Includes nothing that defines functions: the
 // linker may keep any translation unit's copy of an inline function, and one with instructions of a newer processor
-// would be the end on an older one.
+// would be the end on an older one. Vectors are as wide as a register: of wider ones GCC makes no two registers, but
+// goes by way of memory. How wide they are changes no bit: no sum crosses a vector.
 #include "field/dense.h"
 
 namespace ts::field::TS_KERNELS {
 namespace {
 
 using std::size_t;
-typedef double Eight __attribute__((vector_size(64), may_alias));
+constexpr size_t kLanes = TS_LANES;  // doubles in a register: 2, 4 or 8
+typedef double Lanes __attribute__((vector_size(8 * kLanes), may_alias));
 
-inline __attribute__((always_inline)) Eight &at(double *p) {
-  return *reinterpret_cast<Eight *>(p);
+inline __attribute__((always_inline)) Lanes &at(double *p) {
+  return *reinterpret_cast<Lanes *>(p);
 }
-inline __attribute__((always_inline)) const Eight &at(const double *p) {
-  return *reinterpret_cast<const Eight *>(p);
+inline __attribute__((always_inline)) const Lanes &at(const double *p) {
+  return *reinterpret_cast<const Lanes *>(p);
 }
 
-// The same where eight values do not begin at a multiple of 64 bytes.
-typedef double Loose __attribute__((vector_size(64), may_alias, aligned(8)));
+// The same where they do not begin at a multiple of their size.
+typedef double Loose __attribute__((vector_size(8 * kLanes), may_alias, aligned(8)));
 inline __attribute__((always_inline)) Loose &loose(double *p) {
   return *reinterpret_cast<Loose *>(p);
 }
@@ -33,26 +35,27 @@ template <size_t W>
 inline __attribute__((always_inline)) void subtract(double *f, size_t ld, size_t row, size_t column, size_t from,
                                                     size_t to) {
   size_t i = row;
-  for (; i + 16 <= ld; i += 16) {
-    Eight c[W][2];
-    for (size_t q = 0; q < W; ++q) c[q][0] = at(f + i + (column + q) * ld), c[q][1] = at(f + i + 8 + (column + q) * ld);
+  for (; i + 2 * kLanes <= ld; i += 2 * kLanes) {
+    double *const here = f + i + column * ld, *const next = here + kLanes;
+    Lanes c[W][2];
+    for (size_t q = 0; q < W; ++q) c[q][0] = at(here + q * ld), c[q][1] = at(next + q * ld);
     for (size_t p = from; p < to; ++p) {
       const double *a = f + p * ld;
-      const Eight x = at(a + i), y = at(a + i + 8);
+      const Lanes x = at(a + i), y = at(a + i + kLanes);
       for (size_t q = 0; q < W; ++q) {
         const double b = a[column + q];
         c[q][0] -= x * b;
         c[q][1] -= y * b;
       }
     }
-    for (size_t q = 0; q < W; ++q) at(f + i + (column + q) * ld) = c[q][0], at(f + i + 8 + (column + q) * ld) = c[q][1];
+    for (size_t q = 0; q < W; ++q) at(here + q * ld) = c[q][0], at(next + q * ld) = c[q][1];
   }
-  for (; i < ld; i += 8) {
-    Eight c[W];
+  for (; i < ld; i += kLanes) {
+    Lanes c[W];
     for (size_t q = 0; q < W; ++q) c[q] = at(f + i + (column + q) * ld);
     for (size_t p = from; p < to; ++p) {
       const double *a = f + p * ld;
-      const Eight x = at(a + i);
+      const Lanes x = at(a + i);
       for (size_t q = 0; q < W; ++q) c[q] -= x * a[column + q];
     }
     for (size_t q = 0; q < W; ++q) at(f + i + (column + q) * ld) = c[q];
@@ -75,12 +78,12 @@ bool finish(double *f, size_t ld, size_t column, size_t width) {
     double *c = f + j * ld;
     if (!(c[j] > 0)) return false;
     const double root = __builtin_sqrt(c[j]), inverse = 1 / root;
-    for (size_t i = j & ~size_t{7}; i < ld; i += 8) at(c + i) *= inverse;
+    for (size_t i = j & ~size_t{7}; i < ld; i += kLanes) at(c + i) *= inverse;
     c[j] = root;
     for (size_t q = j + 1; q < column + width; ++q) {
       double *d = f + q * ld;
       const double b = c[q];
-      for (size_t i = j & ~size_t{7}; i < ld; i += 8) at(d + i) -= at(c + i) * b;
+      for (size_t i = j & ~size_t{7}; i < ld; i += kLanes) at(d + i) -= at(c + i) * b;
     }
   }
   return true;
@@ -103,18 +106,23 @@ bool eliminate(double *f, size_t ld, size_t m, size_t k) {
 template <size_t W>
 inline __attribute__((always_inline)) void divide(double *panel, size_t rows, size_t column, size_t k, const double *l,
                                                   size_t ld, const double *inverse) {
-  for (size_t i = 0; i < rows; i += 8) {
-    Eight c[W];
-    for (size_t q = 0; q < W; ++q) c[q] = at(panel + i + (column + q) * rows);
+  constexpr size_t V = kLanes < 8 ? 2 : 1;  // registers beside each other, of the eight rows that there are at least
+  for (size_t i = 0; i < rows; i += V * kLanes) {
+    Lanes c[W][V];
+    for (size_t q = 0; q < W; ++q)
+      for (size_t v = 0; v < V; ++v) c[q][v] = at(panel + i + v * kLanes + (column + q) * rows);
     for (size_t p = column + W; p < k; ++p) {
-      const Eight x = at(panel + i + p * rows);
-      for (size_t q = 0; q < W; ++q) c[q] -= x * l[p + (column + q) * ld];
+      const double *const x = panel + i + p * rows;
+      for (size_t q = 0; q < W; ++q)
+        for (size_t v = 0; v < V; ++v) c[q][v] -= at(x + v * kLanes) * l[p + (column + q) * ld];
     }
-    for (size_t q = W; q-- > 0;) {
-      for (size_t p = q + 1; p < W; ++p) c[q] -= c[p] * l[column + p + (column + q) * ld];
-      c[q] *= inverse[column + q];
-    }
-    for (size_t q = 0; q < W; ++q) at(panel + i + (column + q) * rows) = c[q];
+    for (size_t q = W; q-- > 0;)
+      for (size_t v = 0; v < V; ++v) {
+        for (size_t p = q + 1; p < W; ++p) c[q][v] -= c[p][v] * l[column + p + (column + q) * ld];
+        c[q][v] *= inverse[column + q];
+      }
+    for (size_t q = 0; q < W; ++q)
+      for (size_t v = 0; v < V; ++v) at(panel + i + v * kLanes + (column + q) * rows) = c[q][v];
   }
 }
 
@@ -124,44 +132,55 @@ void divide(double *panel, size_t rows, size_t k, const double *l, size_t ld, co
   while (column-- > 0) divide<1>(panel, rows, column, k, l, ld, inverse);
 }
 
-// out[j] = - sum over i < rows of panel[i k + j] x[place[i]] for the `width` columns from `column` on, of which V times
-// eight are read: what is read beyond them is left where it is. `chains` sums a column, so that additions overlap.
-template <size_t V, size_t chains>
+// out[j] = - sum over i < rows of panel[i k + j] x[place[i]] for `width` of C columns; those beyond are read, and left
+// where they are. `chains` sums a column, so that additions overlap.
+template <size_t C, size_t chains>
 inline __attribute__((always_inline)) void minus_product(const double *panel, size_t rows, size_t k,
                                                          const unsigned *place, const double *x, size_t width,
                                                          double *out) {
-  Eight s[chains][V] = {};
+  constexpr size_t V = C / kLanes;
+  Lanes s[chains][V] = {};
   size_t i = 0;
   for (; i + chains <= rows; i += chains)
     for (size_t c = 0; c < chains; ++c) {
       const double y = x[place[i + c]];
-      for (size_t v = 0; v < V; ++v) s[c][v] -= loose(panel + (i + c) * k + 8 * v) * y;
+      for (size_t v = 0; v < V; ++v) s[c][v] -= loose(panel + (i + c) * k + kLanes * v) * y;
     }
   for (size_t c = 0; i < rows; ++i, ++c) {
     const double y = x[place[i]];
-    for (size_t v = 0; v < V; ++v) s[c][v] -= loose(panel + i * k + 8 * v) * y;
+    for (size_t v = 0; v < V; ++v) s[c][v] -= loose(panel + i * k + kLanes * v) * y;
   }
   for (size_t c = 1; c < chains; ++c)
     for (size_t v = 0; v < V; ++v) s[0][v] += s[c][v];
   for (size_t v = 0; v < V; ++v)
-    if (8 * v + 8 <= width)
-      loose(out + 8 * v) = s[0][v];
+    if (kLanes * (v + 1) <= width)
+      loose(out + kLanes * v) = s[0][v];
     else
-      for (size_t j = 8 * v; j < width; ++j) out[j] = s[0][v][j - 8 * v];
+      for (size_t j = kLanes * v; j < width; ++j) out[j] = s[0][v][j - kLanes * v];
+}
+
+// The same for `width` of E times eight columns, as many at a time as there are registers for their sums.
+template <size_t E, size_t chains>
+inline __attribute__((always_inline)) void minus_product_of(const double *panel, size_t rows, size_t k,
+                                                            const unsigned *place, const double *x, size_t width,
+                                                            double *out) {
+  constexpr size_t C = kLanes > 2 ? 8 * E : 16 / chains;
+  for (size_t j = 0; j < width; j += C)
+    minus_product<C, chains>(panel + j, rows, k, place, x, width - j, out + j);
 }
 
 void minus_product(const double *panel, size_t rows, size_t k, const unsigned *place, const double *x, double *out) {
   size_t j = 0;
-  for (; j + 32 <= k; j += 32) minus_product<4, 1>(panel + j, rows, k, place, x, 32, out + j);
+  for (; j + 32 <= k; j += 32) minus_product_of<4, 1>(panel + j, rows, k, place, x, 32, out + j);
   const size_t width = k - j;
   if (width > 24)
-    minus_product<4, 1>(panel + j, rows, k, place, x, width, out + j);
+    minus_product_of<4, 1>(panel + j, rows, k, place, x, width, out + j);
   else if (width > 16)
-    minus_product<3, 2>(panel + j, rows, k, place, x, width, out + j);
+    minus_product_of<3, 2>(panel + j, rows, k, place, x, width, out + j);
   else if (width > 8)
-    minus_product<2, 2>(panel + j, rows, k, place, x, width, out + j);
+    minus_product_of<2, 2>(panel + j, rows, k, place, x, width, out + j);
   else if (width > 0)
-    minus_product<1, 4>(panel + j, rows, k, place, x, width, out + j);
+    minus_product_of<1, 4>(panel + j, rows, k, place, x, width, out + j);
 }
 
 // Eight rows at a time, which is a line of each column.
