@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 namespace ts::field {
 
@@ -22,8 +23,10 @@ struct DenseKernels {
                         double *out);
 };
 
-// All of them do the same multiplications and additions in the same order and never fused, so every
-// processor gives the same bytes.
-const DenseKernels &dense_kernels();
+// Those that this processor runs, the simplest first. All of them do the same multiplications and additions in the same
+// order and never fused, so every processor gives the same bytes.
+std::span<const DenseKernels *const> runnable_dense_kernels();
+
+const DenseKernels &dense_kernels();  // the last of them
 
 }  // namespace ts::field
