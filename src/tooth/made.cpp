@@ -26,9 +26,8 @@ Vec<Index> disc_at(const Prepared &p, const mesh::SurfacePoint &at, Index neares
   return disc;
 }
 
-}  // namespace
-
-std::shared_ptr<const Prepared> make_group(const Prepared &p, const mesh::SurfacePoint &at) {
+// A copy in which the disc around the click is a node of `group`, which may be the next.
+std::shared_ptr<Prepared> with_node(const Prepared &p, const mesh::SurfacePoint &at, Index group) {
   const mesh::Surface &s = *p.surface;
   const Index nearest = *std::ranges::min_element(s.triangle[at.face], {},
                                                   [&](Index v) { return (s.position[v] - at.position).squaredNorm(); });
@@ -39,31 +38,45 @@ std::shared_ptr<const Prepared> make_group(const Prepared &p, const mesh::Surfac
   }
 
   auto made = std::make_shared<Prepared>(p);
-  const Index group = made->groups++;
-  Vec<Index> seeds = disc_at(p, at, nearest);
+  const Vec<Index> disc = disc_at(p, at, nearest);
   const auto node = static_cast<Index>(made->nodes.size());
-  for (const Index v : seeds) made->nodes.of_vertex[v] = node;
-  made->nodes.vertices.item.insert(made->nodes.vertices.item.end(), seeds.begin(), seeds.end());
+  for (const Index v : disc) made->nodes.of_vertex[v] = node;
+  made->nodes.vertices.item.insert(made->nodes.vertices.item.end(), disc.begin(), disc.end());
   made->nodes.vertices.start.push_back(static_cast<Index>(made->nodes.vertices.item.size()));
   made->nodes.group.push_back(group);
   made->nodes.point.push_back(static_cast<Index>(made->sites.point.size()));
   made->outlier.push_back(0);
-  made->added.push_back(seeds);
+  made->added.push_back(disc);
   made->border = std::make_shared<const field::Border>(*made->solver, made->added);
-  made->nodes.groups = made->groups;
   made->sites.point.push_back(nearest);
   made->sites.group.push_back(group);
-  made->sites.groups = made->groups;
   made->group_at[nearest] = group;
-  made->seeds.push_back(std::move(seeds));
-  made->rejected.emplace_back();
-  made->width.push_back(0);
-  made->along.push_back(Vec3::Zero());
+  if (group == made->groups) {
+    ++made->groups;
+    made->seeds.emplace_back();
+    made->rejected.emplace_back();
+    made->width.push_back(0);
+    made->along.push_back(Vec3::Zero());
+    made->nodes.groups = made->sites.groups = made->groups;
+  }
+  Vec<Index> &seeds = made->seeds[group];
+  const auto middle = seeds.insert(seeds.end(), disc.begin(), disc.end());
+  std::inplace_merge(seeds.begin(), middle, seeds.end());
+  return made;
+}
 
+}  // namespace
+
+std::shared_ptr<const Prepared> make_group(const Prepared &p, const mesh::SurfacePoint &at) {
+  const std::shared_ptr<Prepared> made = with_node(p, at, p.groups);
   Vec<Vec3> row;
   for (const Index g : p.live) row.push_back(centre_of(p, g));
-  made->live.insert(made->live.begin() + static_cast<std::ptrdiff_t>(features::place_in_row(row, at.position)), group);
+  made->live.insert(made->live.begin() + static_cast<std::ptrdiff_t>(features::place_in_row(row, at.position)), p.groups);
   return made;
+}
+
+std::shared_ptr<const Prepared> extend_group(const Prepared &p, const mesh::SurfacePoint &at, Index group) {
+  return with_node(p, at, group);
 }
 
 }  // namespace ts::tooth

@@ -21,6 +21,11 @@ constexpr double kEnclosed = 0.3;
 // mm. Borders of labelled crowns lie .45 from ours at the 95th percentile (docs/accuracy.md).
 constexpr double kEdge = 1;
 
+// mm below the mean of a tooth's points, and share of the distance from them that may be along the arch: the cingula of
+// synthetic incisors, whose fossae are deeper than real ones, lie 3 to 6 below and at most .3; a tooth behind another has
+// its own edge, one beside it stands along the arch.
+constexpr double kBelow = 2, kAcross = 0.6;
+
 // How much of the field at the click is each node's.
 Eigen::VectorXd shares_at(const Prepared &p, const mesh::SurfacePoint &at) {
   Eigen::VectorXd share = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(p.nodes.size()));
@@ -136,6 +141,39 @@ Click separate_made(const Prepared &p, const mesh::SurfacePoint &at, std::span<c
   return click;
 }
 
+// Whether what a click cut out is no tooth of its own but the cingulum of `first`, which the fossa parts from its edge:
+// it borders on that tooth, across the arch from its points and with its own top well below them.
+bool shelf_of(const Prepared &p, const Tooth &tooth, const Tooth &first) {
+  const Vec3 &along = p.along[first.group];
+  if (along.isZero()) return false;
+  const auto mean = [&](const Vec<Index> &vertices) {
+    Vec3 sum = Vec3::Zero();
+    for (const Index v : vertices) sum += p.surface->position[v];
+    return Vec3(sum / static_cast<double>(vertices.size()));
+  };
+  const auto height = [&](Index v) { return p.surface->position[v].dot(p.occlusal); };
+  const Vec3 points = mean(first.seeds);
+  if (height(std::ranges::max(tooth.vertices, {}, height)) > points.dot(p.occlusal) - kBelow) return false;
+  Vec3 away = mean(tooth.vertices) - points;
+  away -= away.dot(p.occlusal) * p.occlusal;
+  if (std::abs(away.dot(along)) > kAcross * away.norm()) return false;
+  return std::ranges::any_of(tooth.vertices, [&](Index v) { return std::ranges::binary_search(first.vertices, v); });
+}
+
+// The teeth of the `first` click again, its target held at the click as well.
+Click separate_extended(const Prepared &p, const mesh::SurfacePoint &at, const Click &first, double pick_ms,
+                        const Progress &progress) {
+  Stopwatch watch;
+  std::shared_ptr<const Prepared> extended = extend_group(p, at, first.target);
+  Pick picked;
+  picked.target = first.target, picked.neighbour = first.neighbour, picked.target_distance = first.target_distance;
+  Click click = cut_out(*extended, at, picked, pick_ms + watch.lap(), progress);
+  if (!holds(click.teeth[0], at))
+    throw Error(Fault::no_cut, "no cut takes the click and the tooth it borders on together");
+  click.among = std::move(extended);
+  return click;
+}
+
 }  // namespace
 
 Pick take(const Prepared &p, const mesh::SurfacePoint &at) {
@@ -177,7 +215,9 @@ Click separate_by_evidence(const Prepared &p, const mesh::SurfacePoint &at, std:
     pick_ms += watch.lap();
   }
   try {
-    return separate_made(p, at, separated, pick_ms + watch.lap(), progress.part(0.5, 1, "evidence"));
+    Click click = separate_made(p, at, separated, pick_ms + watch.lap(), progress.part(0.5, 0.8, "evidence"));
+    if (!shelf_of(p, click.teeth[0], first.teeth[0])) return click;
+    return separate_extended(p, at, first, pick_ms + watch.lap(), progress.part(0.8, 1, "evidence"));
   } catch (const Error &e) {
     const bool none = e.fault() == Fault::no_cut || e.fault() == Fault::click_on_gingiva;
     if (!none || !beside(p, first.teeth[0], at) || on_gingiva(p, at)) throw;

@@ -15,8 +15,9 @@ Click separate(const Prepared &prepared, const mesh::SurfacePoint &at, const Pic
                const Progress &progress, bool &evidence);
 
 // The teeth of a click that is not on the `first` ones: those of the group that the field at the click is most of; or
-// the first ones after all, if the click is at their edge; or else of a group that is made of the click, which the
-// click then was made among. Throws click_on_gingiva, no_cut.
+// the first ones after all, if the click is at their edge; or those with the click held for the target as well, if it
+// lies on a shelf of it; or else of a group that is made of the click. In the last two the click then was made among
+// these groups. Throws click_on_gingiva, no_cut.
 Click separate_by_evidence(const Prepared &prepared, const mesh::SurfacePoint &at, std::span<const Index> separated,
                            Click first, double pick_ms, const Progress &progress);
 

@@ -33,11 +33,17 @@ static void need(ts_status status, const char *what) {
 /* -------------------------------------------------------------------------------------------------------- meshes */
 
 mesh make_arch(uint32_t triangles) {
+  return make_crowded_arch(triangles, 0, 1);
+}
+
+mesh make_crowded_arch(uint32_t triangles, double crowding, uint32_t seed) {
   tsa_options options;
   tsa_arch *arch = NULL;
   mesh m;
   need_arch(tsa_options_init(&options, sizeof options));
   options.triangles = triangles;
+  options.crowding = crowding;
+  options.seed = seed;
   need_arch(tsa_create(&options, &arch));
   need_arch(tsa_get_positions(arch, NULL, 0, &m.vertices));
   need_arch(tsa_get_triangles(arch, NULL, 0, &m.faces));
@@ -160,9 +166,13 @@ ts_model *make_model(ts_context *context, const mesh *m) {
 }
 
 scan make_scan(uint32_t triangles, uint32_t threads) {
+  return scan_of(make_arch(triangles), threads);
+}
+
+scan scan_of(mesh arch, uint32_t threads) {
   scan s;
   memset(&s, 0, sizeof s);
-  s.arch = make_arch(triangles);
+  s.arch = arch;
   s.context = make_context(threads);
   s.model = make_model(s.context, &s.arch);
   need(ts_detect_features(s.model, NULL, NULL, &s.features), "features");

@@ -150,8 +150,37 @@ static void at_once_is_one_after_the_other(void) {
   free_gap(&together);
 }
 
+/* The cut of this upper lateral leaves its cingulum out, which lies behind a fossa that is deeper than the gum line. */
+static void a_click_on_a_cingulum_is_held_for_its_tooth(void) {
+  static const double cingulum[3] = {-8.425, -5.785, -5.828}, edge[3] = {-8.09, -1.93, -0.97};
+  scan crowded = scan_of(make_crowded_arch(20000, 0.35, 1), 2);
+  ts_surface_point on;
+  ts_tooth_info before, after;
+  uint32_t target, groups = 0, face = 0, n = crowded.arch.faces, *labels = must_have(sizeof *labels * n);
+  CHECK_STATUS(ts_features_get_groups(crowded.features, NULL, 0, &groups), TS_OK);
+  REQUIRE_STATUS(ts_segment_click(crowded.segmentation, edge, NULL, NULL), TS_OK);
+  target = click_info(crowded.segmentation, 0).target;
+  before = tooth_info(crowded.segmentation, target);
+  CHECK_STATUS(ts_model_nearest(crowded.model, cingulum, &on), TS_OK);
+  face = on.face;
+  CHECK(crowded.arch.labels[face] != 0);
+  CHECK_STATUS(ts_get_labels(crowded.segmentation, labels, n, &n), TS_OK);
+  CHECK(labels[face] == 0);
+  REQUIRE_STATUS(ts_segment_click(crowded.segmentation, cingulum, NULL, NULL), TS_OK);
+  CHECK(click_info(crowded.segmentation, 1).target == target);
+  after = tooth_info(crowded.segmentation, target);
+  CHECK(after.seeds > before.seeds && after.area > before.area);
+  CHECK(!(after.warnings & TS_WARN_MADE_BY_CLICK));
+  CHECK_STATUS(ts_get_labels(crowded.segmentation, labels, n, &n), TS_OK);
+  CHECK(labels[face] == after.label);
+  CHECK(after.label <= groups);
+  free(labels);
+  free_scan(&crowded);
+}
+
 int main(void) {
   s = make_scan(60000, 2);
+  RUN(a_click_on_a_cingulum_is_held_for_its_tooth);
   RUN(a_click_on_a_crown_without_a_group_makes_one);
   RUN(at_once_is_one_after_the_other);
   free_scan(&s);
