@@ -33,36 +33,6 @@ const Click &find_click(const ts_segmentation *s, uint32_t click) {
   return s->session.click(click);
 }
 
-// Of the first group that a click makes; the others follow.
-uint32_t first_made_id(const ts_segmentation &s) {
-  uint32_t id = 0;
-  for (const auto &g : s.prepared->features->set.groups()) id = std::max(id, g.id + 1);
-  return id;
-}
-
-// Groups have ids for the caller, which differ from their places along the arch once groups have been edited.
-uint32_t id_of(const ts_segmentation &s, Index group) {
-  const auto &groups = s.prepared->features->set.groups();
-  if (group == mesh::none) return TS_NONE;
-  return group < groups.size() ? groups[group].id : first_made_id(s) + static_cast<uint32_t>(group - groups.size());
-}
-
-Index group_of(const ts_segmentation *s, uint32_t id) {
-  need(s, "segmentation");
-  const auto &groups = s->prepared->features->set.groups();
-  const auto it = std::ranges::find(groups, id, &features::FeatureSet::Group::id);
-  Index group = static_cast<Index>(it - groups.begin());
-  if (it == groups.end() && id >= first_made_id(*s)) group += id - first_made_id(*s);
-  if ((it == groups.end() && id < first_made_id(*s)) || !s->session.tooth(group))
-    throw Error(Fault::not_found, "no tooth " + std::to_string(id) + " has been separated");
-  return group;
-}
-
-const Tooth &find_tooth(const ts_segmentation *s, uint32_t id) {
-  const Index group = group_of(s, id);  // looks first whether there is an s
-  return *s->session.tooth(group);
-}
-
 std::shared_ptr<const ClickView> view_of(const ts_segmentation *s, uint32_t click) {
   const Click &c = find_click(s, click);
   const AllocatorScope scope(s->prepared->context().allocator);

@@ -24,6 +24,7 @@ enum class Fault {
   file_count,
   file_syntax,
   file_write,
+  file_newer,
   mesh_empty,
   mesh_non_finite,
   mesh_index_range,
@@ -35,6 +36,9 @@ enum class Fault {
   click_on_gingiva,
   no_cut,
   solver,
+  locked,
+  no_change,
+  no_history,
 };
 
 class Error : public std::runtime_error {
