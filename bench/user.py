@@ -106,7 +106,7 @@ def work_on(arch, seg, target, most):
         tooth = bad[0]
         label, before = now[tooth]
         step = correct(arch, seg, label, tooth, tried[tooth])
-        if step is None or len(tried[tooth]) >= 5:
+        if step is None or len(tried[tooth]) >= 10:
             given_up.add(tooth)
             continue
         what, p = step

@@ -53,10 +53,10 @@ Correction cut_anew(std::shared_ptr<const Prepared> changed, const Vec<Index> &g
     else if (here != p.live.begin() && here != p.live.end())
       pick.neighbour = *(here - 1);
     const double done = static_cast<double>(i) / static_cast<double>(groups.size());
-    Click click = cut_out(p, at_vertex(p, p.seeds[groups[i]].front()), pick, 0, progress.part(done, 1, "cut"));
+    Click click = cut_out(p, at_vertex(p, p.seeds[groups[i]].front()), pick, 0, progress.part(done, 1, "cut"),
+                          two ? Wanted::both : Wanted::target);
     if (two && click.teeth.size() < 2)
       throw Error(Fault::no_cut, "no cut is left for the " + name_of(groups[i + 1]));
-    click.teeth.resize(two ? 2 : 1);
     std::ranges::move(click.teeth, std::back_inserter(c.teeth));
   }
   c.among = std::move(changed);

@@ -121,7 +121,7 @@ Click separate_extended(const Prepared &p, const mesh::SurfacePoint &at, const C
 }  // namespace
 
 Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picked, double pick_ms,
-              const Progress &progress) {
+              const Progress &progress, Wanted wanted) {
   Stopwatch watch;
   Click click;
   click.at = at;
@@ -144,7 +144,7 @@ Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picke
 
   Tooth both[2];
   bool found = false;
-  p.executor->each(picked.neighbour == mesh::none ? 1 : 2, [&](std::size_t k) {
+  p.executor->each(picked.neighbour == mesh::none || wanted == Wanted::target ? 1 : 2, [&](std::size_t k) {
     const bool target = k == 0;
     if (own) {
       Stopwatch level;
