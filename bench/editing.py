@@ -54,7 +54,8 @@ def measure(library, scan, v, f, seed):
     point = {g: [tuple(p.position) for p in scan.points() if p.group == g] for g in ids}
 
     def and_back(name, call):
-        out.time("click", lambda: seg.click(clicks[ids[random.integers(len(ids))]]))
+        if out.time("click", lambda: seg.click(clicks[ids[random.integers(len(ids))]])):
+            seg.undo()
         if out.time(name, call):
             out.time("undo", seg.undo)
             out.time("redo", lambda: library.call("ts_redo", seg.handle))
