@@ -152,6 +152,7 @@ Correction divide(const Prepared &p, const Session &session, Index group, const 
       add_node(*changed, k ? part : kept, k ? made : group);
     }
   }
+  if (changed->added.size() > p.added.size()) hold_added(*changed);
   return cut_anew(std::move(changed), {group, made}, progress);
 }
 

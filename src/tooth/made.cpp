@@ -90,7 +90,6 @@ void add_node(Prepared &p, const mesh::SurfacePoint &at, Index group) {
   p.nodes.group.push_back(group);
   p.outlier.push_back(0);
   p.added.push_back(disc);
-  p.border = std::make_shared<const field::Border>(*p.solver, p.added);
   if (group == field::gingiva_group) {
     p.nodes.point.push_back(mesh::none);
     return;
@@ -99,6 +98,10 @@ void add_node(Prepared &p, const mesh::SurfacePoint &at, Index group) {
   p.sites.point.push_back(nearest);
   p.sites.group.push_back(group);
   take_up(p, node);
+}
+
+void hold_added(Prepared &p) {
+  p.border = std::make_shared<const field::Border>(*p.solver, p.added);
 }
 
 void regroup(Prepared &p, Index node, Index group) {
@@ -125,12 +128,14 @@ std::shared_ptr<const Prepared> make_group(const Prepared &p, const mesh::Surfac
   auto made = std::make_shared<Prepared>(p);
   const Index group = add_group(*made);
   add_node(*made, at, group);
+  hold_added(*made);
   return made;
 }
 
 std::shared_ptr<const Prepared> extend_group(const Prepared &p, const mesh::SurfacePoint &at, Index group) {
   auto extended = std::make_shared<Prepared>(p);
   add_node(*extended, at, group);
+  hold_added(*extended);
   return extended;
 }
 

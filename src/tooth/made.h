@@ -17,6 +17,7 @@ std::shared_ptr<const Prepared> extend_group(const Prepared &prepared, const mes
 // In place, for several changes at once.
 Index add_group(Prepared &prepared);  // without a point yet
 void add_node(Prepared &prepared, const mesh::SurfacePoint &at, Index group);
+void hold_added(Prepared &prepared);  // after the last of these
 void regroup(Prepared &prepared, Index node, Index group);
 void let_go(Prepared &prepared, Index node);  // as an outlier
 void hold(Prepared &prepared, Index node);    // an outlier again
