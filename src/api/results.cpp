@@ -1,5 +1,5 @@
 #include "api/guard.h"
-#include "api/segmentation_handle.h"
+#include "api/ids.h"
 
 using namespace ts::api;
 using ts::AllocatorScope;
@@ -31,20 +31,6 @@ const Click &find_click(const ts_segmentation *s, uint32_t click) {
     throw Error(Fault::not_found,
                 "no click " + std::to_string(click) + ", there are " + std::to_string(s->session.clicks()));
   return s->session.click(click);
-}
-
-// Of the first group that a click makes; the others follow.
-uint32_t first_made_id(const ts_segmentation &s) {
-  uint32_t id = 0;
-  for (const auto &g : s.prepared->features->set.groups()) id = std::max(id, g.id + 1);
-  return id;
-}
-
-// Groups have ids for the caller, which differ from their places along the arch once groups have been edited.
-uint32_t id_of(const ts_segmentation &s, Index group) {
-  const auto &groups = s.prepared->features->set.groups();
-  if (group == mesh::none) return TS_NONE;
-  return group < groups.size() ? groups[group].id : first_made_id(s) + static_cast<uint32_t>(group - groups.size());
 }
 
 Index group_of(const ts_segmentation *s, uint32_t id) {

@@ -125,7 +125,7 @@ ts_status ts_segmentation_create(const ts_features *features, const ts_segment_o
         prepared->surface(), features->state->set.features(), o, *context.executor, progress);
     progress(1);
     ts::tooth::Session session(prepared->surface());
-    *out = new ts_segmentation{std::move(prepared), std::move(session), {}, {}};
+    *out = new ts_segmentation{std::move(prepared), std::move(session), {}, {}, {}};
   });
 }
 

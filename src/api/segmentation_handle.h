@@ -1,6 +1,7 @@
 #pragma once
 
 #include "api/features_handle.h"
+#include "tooth/numbers.h"
 #include "tooth/session.h"
 
 namespace ts::api {
@@ -63,4 +64,5 @@ struct ts_segmentation {
   ts::tooth::Session session;
   ts::api::ViewCache views;
   ts::api::DetailsCache details;
+  ts::tooth::Numbers numbers;
 };

@@ -46,6 +46,10 @@ ts_status status_of(Fault fault) noexcept {
     case Fault::click_on_gingiva: return TS_E_CLICK_ON_GINGIVA;
     case Fault::no_cut: return TS_E_NO_CUT;
     case Fault::solver: return TS_E_SOLVER;
+    case Fault::too_many_teeth: return TS_E_TOO_MANY_TEETH;
+    case Fault::number_jaw: return TS_E_NUMBER_JAW;
+    case Fault::number_taken: return TS_E_NUMBER_TAKEN;
+    case Fault::number_order: return TS_E_NUMBER_ORDER;
   }
   return TS_E_INTERNAL;
 }
@@ -88,6 +92,10 @@ const char *ts_status_name(ts_status status) {
     TS_NAME(TS_E_CLICK_ON_GINGIVA);
     TS_NAME(TS_E_NO_CUT);
     TS_NAME(TS_E_SOLVER);
+    TS_NAME(TS_E_TOO_MANY_TEETH);
+    TS_NAME(TS_E_NUMBER_JAW);
+    TS_NAME(TS_E_NUMBER_TAKEN);
+    TS_NAME(TS_E_NUMBER_ORDER);
     case TS_STATUS_FORCE_INT: break;
   }
 #undef TS_NAME

@@ -35,6 +35,10 @@ enum class Fault {
   click_on_gingiva,
   no_cut,
   solver,
+  too_many_teeth,
+  number_jaw,
+  number_taken,
+  number_order,
 };
 
 class Error : public std::runtime_error {
