@@ -261,6 +261,7 @@ Numbering number_teeth(const ArchRow &row, const Given &given) {
   if (row.teeth.size() > static_cast<std::size_t>(places))
     throw Error(Fault::too_many_teeth,
                 std::to_string(row.teeth.size()) + " teeth along the arch, a jaw has " + std::to_string(places));
+  if (row.teeth.empty()) return {};
   Vec<Hypotheses> all;
   for (const Jaw jaw : {Jaw::upper, Jaw::lower}) {
     if (given.jaw && *given.jaw != jaw) continue;
