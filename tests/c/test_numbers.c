@@ -38,18 +38,14 @@ static ts_jaw_info jaw_of(const ts_segmentation *segmentation) {
 
 /* The number that the tooth under the group's first point has in truth. */
 static uint32_t true_number(uint32_t group) {
+  ts_feature_point points[8 * MOST];
   ts_surface_point on;
-  uint32_t i, f, k, vertex = TS_NONE, points = 0;
-  ts_feature_point *all;
-  CHECK_STATUS(ts_features_get_points(s.features, NULL, 0, &points), TS_OK);
-  all = must_have(sizeof *all * points);
-  CHECK_STATUS(ts_features_get_points(s.features, all, points, &points), TS_OK);
-  for (i = points; i-- > 0;)
-    if (all[i].group == group && ts_model_nearest(s.model, all[i].position, &on) == TS_OK) vertex = on.face;
-  free(all);
-  for (f = vertex, k = 0; k < 1; ++k)
-    if (f != TS_NONE && s.arch.labels[f] > 0) return fdi_of_label[s.arch.labels[f] - 1];
-  return 0;
+  uint32_t i, n = 0, label;
+  CHECK_STATUS(ts_features_get_points(s.features, points, 8 * MOST, &n), TS_OK);
+  for (i = 0; i + 1 < n && points[i].group != group; ++i) continue;
+  CHECK_STATUS(ts_model_nearest(s.model, points[i].position, &on), TS_OK);
+  label = s.arch.labels[on.face];
+  return label > 0 ? fdi_of_label[label - 1] : 0;
 }
 
 static bytes dump(const ts_segmentation *segmentation) {
