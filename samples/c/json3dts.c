@@ -6,8 +6,8 @@
 #include "json.h"
 #include "writers.h"
 
-/* Of each model vertex the place + 1 in r->teeth of its tooth, 0 = gingiva: what most of its faces are of; of those with
- * as many a tooth before gingiva, and the one that comes first along the arch. */
+/* Of each model vertex the place + 1 in r->teeth of its tooth, 0 = gingiva: what most of its faces are of; of those
+ * with as many a tooth before gingiva, and the one that comes first along the arch. */
 static ts_status vote(const run *r, uint32_t vertices, uint32_t *winner) {
   const uint32_t kinds = r->tooth_count + 1;
   uint32_t faces = 0, all = 0, i, k, t;

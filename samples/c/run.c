@@ -206,8 +206,8 @@ int run_number(run *r) {
   if (r->numbers == NULL) return complain("%s: out of memory", o->scan);
   status = assign_numbers(r);
   if (status == TS_OK && r->jaw.uncertain)
-    return complain("%s: the jaw cannot be told from the scan (%s with a confidence of %.2f): --jaw says which it is", o->scan,
-                    r->jaw.jaw == TS_JAW_UPPER ? "upper" : "lower", r->jaw.confidence);
+    return complain("%s: the jaw cannot be told from the scan (%s with a confidence of %.2f): --jaw says which it is",
+                    o->scan, r->jaw.jaw == TS_JAW_UPPER ? "upper" : "lower", r->jaw.confidence);
   for (i = 0; status == TS_OK && i < r->tooth_count; ++i) {
     ts_number_info *n = &r->numbers[i];
     n->struct_size = sizeof *n;

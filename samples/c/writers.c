@@ -26,8 +26,7 @@ int write_labels(const run *r, FILE *file) {
   labels = malloc((size_t)count * sizeof *labels + 1);
   if (labels == NULL) return complain_status(r->options->scan, TS_E_OUT_OF_MEMORY);
   status = ts_get_labels(r->segmentation, labels, count, &count);
-  for (i = 0; status == TS_OK && i < count; ++i) 
-    fprintf(file, "%lu\n", (unsigned long)written_label(r, labels[i]));
+  for (i = 0; status == TS_OK && i < count; ++i) fprintf(file, "%lu\n", (unsigned long)written_label(r, labels[i]));
   free(labels);
   return status == TS_OK ? 1 : complain_status(r->options->scan, status);
 }

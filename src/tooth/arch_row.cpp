@@ -148,8 +148,8 @@ void measure_group(const features::Group &group, const View &view, const Curve &
   if (!group.points.empty()) {
     centre /= static_cast<double>(group.points.size());
     const Vec2 tangent = curve.tangent(curve.nearest(centre)), over(-tangent.y(), tangent.x());
-    const auto [low, high] = std::ranges::minmax(
-        group.points, {}, [&](const features::Point &p) { return view.of(p.position).dot(over); });
+    const auto [low, high] =
+        std::ranges::minmax(group.points, {}, [&](const features::Point &p) { return view.of(p.position).dot(over); });
     t.across = (view.of(high.position) - view.of(low.position)).dot(over);
     t.at = curve.nearest(centre);
   }

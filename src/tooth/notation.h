@@ -20,7 +20,8 @@ Jaw jaw_of(std::uint32_t fdi);
 int place_of(std::uint32_t fdi);
 std::uint32_t fdi_of(Jaw jaw, int place);
 
-// Universal: 1 to 16 from the upper right third molar to the upper left, 17 to 32 from the lower left to the lower right.
+// Universal: 1 to 16 from the upper right third molar to the upper left, 17 to 32 from the lower left to the lower
+// right.
 std::uint32_t universal_of(std::uint32_t fdi);
 std::uint32_t fdi_of_universal(std::uint32_t universal);
 

@@ -15,8 +15,8 @@ constexpr double impossible = -std::numeric_limits<double>::infinity();
 using Places = std::array<double, places>;
 using Pairs = std::array<Places, places>;
 
-// Probabilities of what was not measured on any scan: that a tooth is missing inside the row of those left, and in front
-// of its first or behind its last, where at most three count (a scan of one quadrant); that a third molar stands.
+// Probabilities of what was not measured on any scan: that a tooth is missing inside the row of those left, and in
+// front of its first or behind its last, where at most three count (a scan of one quadrant); that a third molar stands.
 constexpr double kMissing = 0.04, kMissingAtEnd = 0.15, kThirdMolar = 0.15;
 constexpr int kMostAtEnd = 3;
 
@@ -89,8 +89,7 @@ class Formula {
       const double most = fixed[i] >= 0 ? score[fixed[i]] : *std::ranges::max_element(score);
       form_.emplace_back();
       log_form_ += most;
-      for (int p = 0; p < places; ++p)
-        form_.back()[p] = fixed[i] >= 0 && p != fixed[i] ? 0 : std::exp(score[p] - most);
+      for (int p = 0; p < places; ++p) form_.back()[p] = fixed[i] >= 0 && p != fixed[i] ? 0 : std::exp(score[p] - most);
       if (i > 0) pairs_.push_back(pairs(teeth[i - 1], teeth[i]));
     }
   }
@@ -143,8 +142,8 @@ class Formula {
             measured(t.width, size * features::mean_width(jaw, p), spread, t.crown ? kCrownError : kStretchError);
       if (t.depth > 0) score[p] += measured(t.depth, depth, spread, kDepthError);
       if (!std::isnan(t.across))
-        score[p] += std::log((1 - kWrong) * normal(t.across - across_share(jaw, p) * depth, kAcrossSpread) +
-                             kWrong / 10);
+        score[p] +=
+            std::log((1 - kWrong) * normal(t.across - across_share(jaw, p) * depth, kAcrossSpread) + kWrong / 10);
     }
     return score;
   }
@@ -180,7 +179,7 @@ class Formula {
   const Vec<ArchTooth> &teeth_;
   Places width_{}, offset_{}, begin_{}, end_{};
   double log_form_ = 0;
-  Vec<Places> form_;    // over e^log_form_
+  Vec<Places> form_;  // over e^log_form_
   Vec<Pairs> pairs_;  // between a tooth and the next
 };
 

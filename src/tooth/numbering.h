@@ -1,4 +1,5 @@
-// Which teeth of the dental formula stand in an arch: numbers from widths, places, gaps and forms, by dynamic programming.
+// Which teeth of the dental formula stand in an arch: numbers from widths, places, gaps and forms, by dynamic
+// programming.
 #pragma once
 
 #include <limits>

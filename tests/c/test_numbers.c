@@ -7,7 +7,8 @@
 
 enum { TEETH = 14, MOST = 32 };
 
-/* The upper arch of the fixture has all teeth but the third molars; its label k is the k-th from the patient's right. */
+/* The upper arch of the fixture has all teeth but the third molars; its label k is the k-th from the patient's right.
+ */
 static const uint32_t fdi_of_label[TEETH] = {17, 16, 15, 14, 13, 12, 11, 21, 22, 23, 24, 25, 26, 27};
 
 static scan s;
@@ -144,13 +145,13 @@ static void what_is_refused_changes_nothing(void) {
   REQUIRE_STATUS(ts_assign_numbers(segmentation, &o), TS_OK);
   REQUIRE_STATUS(ts_set_number(segmentation, groups[3].id, true_number(groups[3].id)), TS_OK);
   before = dump(segmentation);
-#define REFUSED(call, status)                      \
-  do {                                             \
-    CHECK_STATUS(call, status);                    \
-    CHECK(strlen(ts_last_error_message()) > 20);   \
-    after = dump(segmentation);                    \
-    CHECK(same_bytes(&before, &after));            \
-    free_bytes(&after);                            \
+#define REFUSED(call, status)                    \
+  do {                                           \
+    CHECK_STATUS(call, status);                  \
+    CHECK(strlen(ts_last_error_message()) > 20); \
+    after = dump(segmentation);                  \
+    CHECK(same_bytes(&before, &after));          \
+    free_bytes(&after);                          \
   } while (0)
   REFUSED(ts_set_number(segmentation, groups[2].id, true_number(groups[3].id)), TS_E_NUMBER_TAKEN);
   REFUSED(ts_set_number(segmentation, groups[2].id, 36), TS_E_NUMBER_JAW);
@@ -209,8 +210,7 @@ static void features_without_an_occlusal_direction(void) {
   ts_segmentation *segmentation = NULL;
   uint32_t i;
   REQUIRE_STATUS(ts_features_create(s.model, &by_hand), TS_OK);
-  for (i = 0; i < 3; ++i)
-    CHECK_STATUS(ts_features_add_point(by_hand, groups[i].centre, TS_NONE, NULL, NULL), TS_OK);
+  for (i = 0; i < 3; ++i) CHECK_STATUS(ts_features_add_point(by_hand, groups[i].centre, TS_NONE, NULL, NULL), TS_OK);
   REQUIRE_STATUS(ts_segmentation_create(by_hand, NULL, NULL, &segmentation), TS_OK);
   CHECK_STATUS(ts_assign_numbers(segmentation, NULL), TS_E_INVALID_ARGUMENT);
   CHECK(strstr(ts_last_error_message(), "occlusal") != NULL);
