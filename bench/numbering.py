@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Are the FDI numbers right: ts-segment --fdi on synthetic arches and on the labelled real scans.
 
-    numbers.py [--tool build/release/samples/ts-segment] [--scans ../shared/data/scans] [--seeds 1,2,3] [--triangles 40000]
+    numbering.py [--tool build/release/samples/ts-segment] [--scans ../shared/data/scans] [--seeds 1,2,3] [--triangles 40000]
                [--only real|synthetic] [--json OUT] [--jobs 2]
 
 Synthetic: both jaws, crowding none to severe, each seed with 0 to 4 teeth missing in random places. Real: scans whose
