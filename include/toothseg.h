@@ -119,6 +119,12 @@ typedef enum ts_status {
   TS_E_NO_CHANGE = 605,         /**< what is asked for is so already */
   TS_E_NO_HISTORY = 606,        /**< nothing to undo, or to redo */
 
+  /* 700: numbers of teeth */
+  TS_E_TOO_MANY_TEETH = 700, /**< more teeth along the arch than the 16 that a jaw has */
+  TS_E_NUMBER_JAW = 701,     /**< a number of the other jaw */
+  TS_E_NUMBER_TAKEN = 702,   /**< the number has been set for another tooth */
+  TS_E_NUMBER_ORDER = 703,   /**< numbers would not rise along the arch, or leave none for the teeth between */
+
   TS_STATUS_FORCE_INT = 0x7fffffff /**< not a status: makes the enum 32 bits wide */
 } ts_status;
 
@@ -795,6 +801,91 @@ TS_API TS_NODISCARD ts_status ts_session_read(const ts_model *model, const char 
 /** The same from a file. Errors: TS_E_FILE_OPEN, and as ts_session_read. */
 TS_API TS_NODISCARD ts_status ts_session_load(const ts_model *model, const char *path, ts_job *job, ts_features **features,
                                               ts_segmentation **out);
+
+/* --------------------------------------------------------------------------------------------------------- numbers */
+
+/** The jaw of a scan. */
+typedef enum ts_jaw { TS_JAW_UNKNOWN = 0, TS_JAW_UPPER = 1, TS_JAW_LOWER = 2, TS_JAW_FORCE_INT = 0x7fffffff } ts_jaw;
+
+/** How numbers are told.. */
+typedef struct ts_number_options {
+  uint32_t struct_size;
+  ts_jaw jaw;              /**< UNKNOWN (default): estimated */
+  uint32_t mirrored;       /**< 1: the scan is a mirror image of the patient, so left and right change places. No scan
+                                shows whether it is one. Default 0 */
+  uint32_t reserved;
+  double least_confidence; /**< 0 to 1: a number or a jaw under it is uncertain. Default 0.9 */
+} ts_number_options;
+
+/** Fills `options` with the defaults. `struct_size`: sizeof(ts_number_options). Errors: TS_E_NULL, TS_E_STRUCT_SIZE.
+ *  Thread: any.. */
+TS_API TS_NODISCARD ts_status ts_number_options_init(ts_number_options *options, uint32_t struct_size);
+
+/** Gives the teeth of a segmentation their FDI numbers: all feature groups in use and all groups made by clicks,
+ *  separated or not (separated crowns are measured, which tells more). Permanent teeth only. The numbers rise along the
+ *  arch; missing teeth leave theirs out. Told from widths and depths of the teeth, their places along the arch, the
+ *  gaps between them and how their feature points lie; the patient's right from the occlusal direction and the side to
+ *  which the arch bends. Coordinates are taken to be right-handed; which way faces look has no say.
+ *
+ *  Numbers that were set by hand stay, and decide. Numbers do not change by themselves: call again after clicks.
+ *  `options` in, may be NULL: the defaults; kept for ts_set_number.
+ *  Errors, with all numbers as they were: TS_E_TOO_MANY_TEETH (over 16), TS_E_NUMBER_JAW (a number set by hand is of
+ *  the other jaw than `options` give), TS_E_NUMBER_ORDER (those set fit no numbering), TS_E_INVALID_ARGUMENT (also
+ *  where the features have no occlusal direction), TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_OUT_OF_MEMORY.. */
+TS_API TS_NODISCARD ts_status ts_assign_numbers(ts_segmentation *segmentation, const ts_number_options *options);
+
+/** Sets the number of a tooth by hand; those of the others follow, and so does the jaw. `tooth`: id of its group (that of
+ *  its feature group, as ts_tooth_info::id), separated or not. `fdi`: 11 to 18, 21 to 28, 31 to 38, 41 to 48; 0 forgets
+ *  one that was set. Works before ts_assign_numbers too, with its default options.
+ *  Errors, with all numbers as they were: TS_E_NOT_FOUND (no such tooth; 0 where none was set), TS_E_INVALID_ARGUMENT
+ *  (no FDI number of a permanent tooth), TS_E_NUMBER_JAW (of the other jaw than was given or set), TS_E_NUMBER_TAKEN
+ *  (set for another tooth), TS_E_NUMBER_ORDER (breaks the order along the arch, or leaves too few numbers between),
+ *  TS_E_TOO_MANY_TEETH, TS_E_NULL, TS_E_OUT_OF_MEMORY.. */
+TS_API TS_NODISCARD ts_status ts_set_number(ts_segmentation *segmentation, uint32_t tooth, uint32_t fdi);
+
+/** The number of a tooth.. */
+typedef struct ts_number_info {
+  uint32_t struct_size;
+  uint32_t fdi;         /**< the most probable, also where it is uncertain */
+  uint32_t set_by_hand; /**< 1: by ts_set_number */
+  uint32_t uncertain;   /**< 1: confidence under least_confidence: to be shown to a person before it is used */
+  double confidence;    /**< probability of this number, the jaw's included, under the model; 1 if set by hand */
+} ts_number_info;
+
+/** `tooth`: id of its group. `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND (no number was assigned to it),
+ *  TS_E_NULL, TS_E_STRUCT_SIZE.. */
+TS_API TS_NODISCARD ts_status ts_get_number(const ts_segmentation *segmentation, uint32_t tooth, ts_number_info *info);
+
+/** The jaw that the numbers are of.. */
+typedef struct ts_jaw_info {
+  uint32_t struct_size;
+  ts_jaw jaw;         /**< the more probable, also where it is uncertain */
+  uint32_t given;     /**< 1: by the options or by a number set by hand */
+  uint32_t uncertain; /**< 1: confidence under least_confidence */
+  double confidence;  /**< .5 where nothing tells; 1 if given */
+} ts_jaw_info;
+
+/** `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND (no numbers were assigned), TS_E_NULL, TS_E_STRUCT_SIZE.
+ * . */
+TS_API TS_NODISCARD ts_status ts_get_jaw(const ts_segmentation *segmentation, ts_jaw_info *info);
+
+/** FDI to Universal (1 to 32 from the upper right third molar to the upper left, on from the lower left to the lower
+ *  right) and back. Errors: TS_E_INVALID_ARGUMENT (no number of a permanent tooth), TS_E_NULL. Thread: any.. */
+TS_API TS_NODISCARD ts_status ts_fdi_to_universal(uint32_t fdi, uint32_t *universal);
+TS_API TS_NODISCARD ts_status ts_universal_to_fdi(uint32_t universal, uint32_t *fdi);
+
+/** A number as Palmer's notation has it.. */
+typedef struct ts_palmer {
+  uint32_t struct_size;
+  uint32_t quadrant; /**< as in FDI: 1 upper right, 2 upper left, 3 lower left, 4 lower right */
+  uint32_t position; /**< 1 (central incisor) to 8 */
+  char letters[4];   /**< "UR6" */
+  char symbol[8];    /**< UTF-8: the position in the angle of its quadrant, as on a chart that faces the patient */
+} ts_palmer;
+
+/** `palmer->struct_size` in, the rest out. Errors: TS_E_INVALID_ARGUMENT (no FDI number of a permanent tooth), TS_E_NULL,
+ *  TS_E_STRUCT_SIZE. Thread: any.. */
+TS_API TS_NODISCARD ts_status ts_fdi_to_palmer(uint32_t fdi, ts_palmer *palmer);
 
 #ifdef __cplusplus
 }

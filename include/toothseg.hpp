@@ -97,6 +97,9 @@ std::vector<Point> points(Get get) {
 
 }  // namespace detail
 
+inline ts_number_options number_options() {
+  return detail::initialised<ts_number_options>(ts_number_options_init);
+}
 inline ts_context_options context_options() {
   return detail::initialised<ts_context_options>(ts_context_options_init);
 }
@@ -429,6 +432,17 @@ class Segmentation {
   }
   ts_prepare_times prepare_times() const {
     return detail::info<ts_prepare_times>([&](auto *t) { return ts_get_prepare_times(get(), t); });
+  }
+
+  void assign_numbers(const ts_number_options &options = number_options()) {
+    detail::check(ts_assign_numbers(get(), &options));
+  }
+  void set_number(Index tooth, std::uint32_t fdi) { detail::check(ts_set_number(get(), tooth, fdi)); }
+  ts_number_info number(Index tooth) const {
+    return detail::info<ts_number_info>([&](auto *i) { return ts_get_number(get(), tooth, i); });
+  }
+  ts_jaw_info jaw() const {
+    return detail::info<ts_jaw_info>([&](auto *i) { return ts_get_jaw(get(), i); });
   }
 
   ts_segmentation *get() const noexcept { return handle_.get(); }

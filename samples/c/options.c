@@ -21,6 +21,10 @@ static const char help[] =
     "  --set NAME=VALUE  any number of ts_segment_options (toothseg.h), over the preset; may be given often\n"
     "  --unit UNIT       unit of the scan: mm, cm, m or inch; what is written is in mm. Without it the scan is\n"
     "                    taken to be in mm, and refused if its size says otherwise\n"
+    "  --fdi             the numbers in --labels are FDI numbers, and the report has them too; a complaint for each\n"
+    "                    that is uncertain\n"
+    "  --jaw NAME        upper or lower, for the numbers; without it the jaw is estimated, and where it cannot be told\n"
+    "                    nothing is written\n"
     "  --threads N       worker threads; 0: one a core (the default). The result does not depend on it\n"
     "\n"
     "  --labels OUT.txt      a number a face, in the order of the faces in SCAN; 0: no tooth\n"
@@ -28,6 +32,8 @@ static const char help[] =
     "  --ply OUT.ply         the cleaned mesh, coloured by tooth\n"
     "  --report OUT.json     what was done, what came of each click, and how long it took\n"
     "  --features OUT.json   the feature points, their groups and the arch curve\n"
+    "  --json3dts OUT.json   FDI numbers and instances a vertex of SCAN, as the 3DTeethSeg challenge has them: a vertex\n"
+    "                        is of the tooth, or gingiva, that most of its faces are of; of a tooth where as many are\n"
     "\n"
     "  --help, --version\n"
     "\n"
@@ -57,6 +63,15 @@ static int parse_unit(const char *text, ts_unit *unit) {
   return 1;
 }
 
+static int parse_jaw(const char *text, ts_jaw *jaw) {
+  static const char *const names[] = {"upper", "lower"};
+  static const ts_jaw jaws[] = {TS_JAW_UPPER, TS_JAW_LOWER};
+  int i;
+  if (!is_any_of(text, names, 2, &i)) return complain("--jaw %s: not upper or lower", text);
+  *jaw = jaws[i];
+  return 1;
+}
+
 static int parse_threads(const char *text, uint32_t *threads) {
   char *end;
   const long n = strtol(text, &end, 10);
@@ -80,17 +95,19 @@ static const char **file_of(options *o, const char *option) {
   if (strcmp(option, "--ply") == 0) return &o->ply;
   if (strcmp(option, "--report") == 0) return &o->report;
   if (strcmp(option, "--features") == 0) return &o->features;
+  if (strcmp(option, "--json3dts") == 0) return &o->json3dts;
   return NULL;
 }
 
 static int parse_valued(options *o, const char *option, const char *value) {
   const char **file = file_of(o, option);
   const int known = file != NULL || strcmp(option, "--preset") == 0 || strcmp(option, "--unit") == 0 ||
-                    strcmp(option, "--threads") == 0 || strcmp(option, "--set") == 0;
+                    strcmp(option, "--threads") == 0 || strcmp(option, "--set") == 0 || strcmp(option, "--jaw") == 0;
   if (!known) return complain("%s: unknown option (--help lists all)", option);
   if (value == NULL || value[0] == '\0') return complain("%s: a value is missing", option);
   if (strcmp(option, "--preset") == 0) return parse_preset(value, &o->preset);
   if (strcmp(option, "--unit") == 0) return parse_unit(value, &o->unit);
+  if (strcmp(option, "--jaw") == 0) return parse_jaw(value, &o->jaw);
   if (strcmp(option, "--threads") == 0) return parse_threads(value, &o->threads);
   if (strcmp(option, "--set") == 0) return parse_setting(o, value);
   *file = value;
@@ -113,6 +130,8 @@ options_result options_parse(int argc, char **argv, options *out) {
     }
     if (strcmp(argv[i], "--auto") == 0) {
       automatic = 1;
+    } else if (strcmp(argv[i], "--fdi") == 0) {
+      out->fdi = 1;
     } else if (argv[i][0] == '-') {
       if (!parse_valued(out, argv[i], i + 1 < argc ? argv[i + 1] : NULL)) return OPTIONS_BAD;
       ++i;

@@ -8,11 +8,14 @@ typedef struct options {
   const char *scan;
   const char *clicks;                                  /* NULL: the library proposes them */
   const char *labels, *cuts, *ply, *report, *features; /* outputs; NULL: not wanted */
+  const char *json3dts;
   ts_preset preset;
   ts_unit unit;
   uint32_t threads;
   const char *settings[SETTINGS_MOST]; /* NAME=VALUE of ts_segment_options, over the preset */
   int setting_count;
+  int fdi;    /* numbers in labels are FDI */
+  ts_jaw jaw; /* TS_JAW_UNKNOWN: estimated where numbers are wanted */
 } options;
 
 typedef enum options_result { OPTIONS_RUN, OPTIONS_DONE, OPTIONS_BAD } options_result;

@@ -99,6 +99,10 @@ static int write_teeth(const run *r, json *j) {
     json_open_object(j, NULL);
     json_count(j, "label", tooth->label);
     json_count(j, "group", tooth->id);
+    if (r->numbers != NULL) {
+      json_count(j, "fdi", r->numbers[i].fdi);
+      json_number(j, "fdi_confidence", r->numbers[i].confidence);
+    }
     json_count(j, "click", tooth->click);
     json_count(j, "faces", tooth->faces);
     json_count(j, "vertices", tooth->vertices);
@@ -216,6 +220,10 @@ int write_report(const run *r, FILE *file) {
   json_number(&j, "coverage", features.coverage);
   json_number(&j, "arch_length", features.arch_length);
   WRITE_WARNINGS(&j, features.warnings, of_scan);
+  if (r->numbers != NULL) {
+    json_text(&j, "jaw", r->jaw.jaw == TS_JAW_UPPER ? "upper" : "lower");
+    json_number(&j, "jaw_confidence", r->jaw.confidence);
+  }
   json_open_object(&j, "counts");
   json_count(&j, "teeth", r->tooth_count);
   json_count(&j, "clicks", r->click_count);

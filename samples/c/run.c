@@ -187,6 +187,38 @@ int run_click(run *r) {
   return (r->options->clicks == NULL ? click_for_user(r) : click_from(r, 0)) && collect_teeth(r);
 }
 
+static ts_status assign_numbers(run *r) {
+  ts_number_options o;
+  ts_status status = ts_number_options_init(&o, sizeof o);
+  if (status != TS_OK) return status;
+  o.jaw = r->options->jaw;
+  status = ts_assign_numbers(r->segmentation, &o);
+  r->jaw.struct_size = sizeof r->jaw;
+  return status == TS_OK ? ts_get_jaw(r->segmentation, &r->jaw) : status;
+}
+
+int run_number(run *r) {
+  const options *o = r->options;
+  ts_status status;
+  uint32_t i;
+  if (!o->fdi && o->json3dts == NULL && o->jaw == TS_JAW_UNKNOWN) return 1;
+  r->numbers = calloc((size_t)r->tooth_count + 1, sizeof *r->numbers);
+  if (r->numbers == NULL) return complain("%s: out of memory", o->scan);
+  status = assign_numbers(r);
+  if (status == TS_OK && r->jaw.uncertain)
+    return complain("%s: the jaw cannot be told from the scan (%s with a confidence of %.2f): --jaw says which it is",
+                    o->scan, r->jaw.jaw == TS_JAW_UPPER ? "upper" : "lower", r->jaw.confidence);
+  for (i = 0; status == TS_OK && i < r->tooth_count; ++i) {
+    ts_number_info *n = &r->numbers[i];
+    n->struct_size = sizeof *n;
+    status = ts_get_number(r->segmentation, r->teeth[i].id, n);
+    if (status == TS_OK && n->uncertain)
+      complain("%s: tooth %lu: number %lu is uncertain (confidence %.2f)", o->scan, (unsigned long)r->teeth[i].label,
+               (unsigned long)n->fdi, n->confidence);
+  }
+  return status == TS_OK ? 1 : complain_status(o->scan, status);
+}
+
 void run_close(run *r) {
   ts_segmentation_destroy(r->segmentation);
   ts_features_destroy(r->features);
@@ -194,4 +226,5 @@ void run_close(run *r) {
   ts_context_destroy(r->context);
   free(r->clicks);
   free(r->teeth);
+  free(r->numbers);
 }

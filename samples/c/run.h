@@ -26,6 +26,8 @@ typedef struct run {
   uint32_t click_count, failed;
   ts_tooth_info *teeth; /* along the arch, once all clicks are made */
   uint32_t tooth_count;
+  ts_number_info *numbers; /* of the teeth; NULL: not wanted */
+  ts_jaw_info jaw;         /* that they are of */
 } run;
 
 /* Reads the file of clicks. 0, with a complaint, if it cannot be read, has a bad line or no click. */
@@ -34,6 +36,7 @@ int clicks_read(const char *path, click **clicks, uint32_t *count);
 /* Each returns 0, with a complaint, if it failed. */
 int run_prepare(run *r);
 int run_click(run *r); /* clicks that fail are complained about and noted in r->failed */
+int run_number(run *r); /* where numbers are wanted; those that are uncertain are complained about */
 void run_close(run *r);
 
 /* Complains in the library's words about a call that failed. Always 0. */

@@ -1,7 +1,7 @@
 /* ts-segment: the whole library as a command. SPDX-License-Identifier: Apache-2.0
  *
  * Plain C99 against toothseg.h alone: options.c reads the command line, clicks.c the clicks, run.c goes the way through
- * the library, writers.c and report.c write what came of it, staging.c sees to it that the outputs are all there or
+ * the library, writers.c, json3dts.c and report.c write what came of it, staging.c sees to it that the outputs are all there or
  * not at all. */
 #include <stdarg.h>
 #include <stdio.h>
@@ -29,9 +29,9 @@ int complain(const char *format, ...) {
 }
 
 static int announce(const options *o, staging *s) {
-  const char *const outputs[] = {o->labels, o->cuts, o->ply, o->report, o->features};
+  const char *const outputs[] = {o->labels, o->cuts, o->ply, o->report, o->features, o->json3dts};
   const char *const inputs[] = {o->scan, o->clicks};
-  return staging_announce(s, outputs, 5, inputs, 2);
+  return staging_announce(s, outputs, 6, inputs, 2);
 }
 
 static int write_one(const run *r, staging *s, const char *path, int (*write)(const run *, FILE *)) {
@@ -45,7 +45,8 @@ static int write_all(const run *r, staging *s) {
   const options *o = r->options;
   return write_one(r, s, o->labels, write_labels) && write_one(r, s, o->cuts, write_cuts) &&
          write_one(r, s, o->ply, write_ply) && write_one(r, s, o->report, write_report) &&
-         write_one(r, s, o->features, write_features) && staging_commit(s);
+         write_one(r, s, o->features, write_features) &&
+         write_one(r, s, o->json3dts, write_json3dts) && staging_commit(s);
 }
 
 static int segment(const options *o) {
@@ -56,7 +57,7 @@ static int segment(const options *o) {
   memset(&outputs, 0, sizeof outputs);
   r.options = o;
   good = announce(o, &outputs) && (o->clicks == NULL || clicks_read(o->clicks, &r.clicks, &r.click_count)) &&
-         run_prepare(&r) && run_click(&r) && write_all(&r, &outputs);
+         run_prepare(&r) && run_click(&r) && run_number(&r) && write_all(&r, &outputs);
   staging_close(&outputs);
   if (good)
     printf("%s: %lu teeth from %lu clicks, %lu failed\n", o->scan, (unsigned long)r.tooth_count,

@@ -9,6 +9,15 @@
 
 /* -------------------------------------------------------------------------------------------------------- labels */
 
+/* What stands for a label in the output. */
+static uint32_t written_label(const run *r, uint32_t label) {
+  uint32_t i;
+  if (!r->options->fdi) return label;
+  for (i = 0; i < r->tooth_count; ++i)
+    if (r->teeth[i].label == label) return r->numbers[i].fdi;
+  return 0;
+}
+
 int write_labels(const run *r, FILE *file) {
   uint32_t count = 0, i;
   uint32_t *labels;
@@ -17,7 +26,7 @@ int write_labels(const run *r, FILE *file) {
   labels = malloc((size_t)count * sizeof *labels + 1);
   if (labels == NULL) return complain_status(r->options->scan, TS_E_OUT_OF_MEMORY);
   status = ts_get_labels(r->segmentation, labels, count, &count);
-  for (i = 0; status == TS_OK && i < count; ++i) fprintf(file, "%lu\n", (unsigned long)labels[i]);
+  for (i = 0; status == TS_OK && i < count; ++i) fprintf(file, "%lu\n", (unsigned long)written_label(r, labels[i]));
   free(labels);
   return status == TS_OK ? 1 : complain_status(r->options->scan, status);
 }

@@ -14,5 +14,6 @@ int write_cuts(const run *r, FILE *file);
 int write_ply(const run *r, FILE *file);
 int write_report(const run *r, FILE *file);
 int write_features(const run *r, FILE *file);
+int write_json3dts(const run *r, FILE *file);
 
 #endif

@@ -9,11 +9,26 @@ namespace ts::api {
 
 // A change as the caller asked for it. Groups are places, not ids: they stay what they are while the features do.
 struct Command {
-  enum class Act : std::uint32_t { click, clicks, all, take_in, leave_out, divide, unite, remove, lock, unlock };
+  enum class Act : std::uint32_t {
+    click,
+    clicks,
+    all,
+    take_in,
+    leave_out,
+    divide,
+    unite,
+    remove,
+    lock,
+    unlock,
+    assign_numbers,
+    set_number
+  };
 
   Act act = Act::click;
   mesh::Index tooth = mesh::none, other = mesh::none;
   Vec<mesh::Vec3> at{};  // mm; of a batch of clicks those that came to something
+  tooth::NumberOptions numbering{};
+  std::uint32_t number = 0;  // FDI; 0: to be forgotten
 };
 
 class History {

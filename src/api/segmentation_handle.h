@@ -95,6 +95,9 @@ const tooth::Tooth &find_tooth(const ts_segmentation *s, uint32_t id);
 tooth::Session execute(const Prepared &prepared, const tooth::Session &session, Command &command,
                        const Progress &progress, Vec<tooth::Segmenter::Outcome> *outcomes = nullptr);
 
+// The numbers that assign_numbers or set_number gives.
+tooth::Numbers numbers_after(const Prepared &prepared, const tooth::Session &session, const Command &command);
+
 // Puts it in the place of the present one, remembers how it came and tells the listener. Strong: where it throws,
 // nothing has changed.
 void commit(ts_segmentation &s, tooth::Session next, Command command);

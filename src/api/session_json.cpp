@@ -14,7 +14,8 @@ using mesh::Vec3;
 using Set = features::FeatureSet;
 
 constexpr std::uint32_t kFormat = 1;
-constexpr const char *kActs[] = {"click", "clicks", "all", "include", "exclude", "split", "merge", "remove", "lock", "unlock"};
+constexpr const char *kActs[] = {"click", "clicks", "all", "include", "exclude", "split", "merge", "remove", "lock", "unlock",
+                                 "assign_numbers", "set_number"};
 
 // FNV-1a: tells meshes apart, keeps out nobody.
 struct Hash {
@@ -203,6 +204,14 @@ Command command_of(const Place &step) {
   if (step.has("other")) c.other = step["other"].index(mesh::none);
   if (step.has("at")) c.at = step["at"].points();
   using Act = Command::Act;
+  if (c.act == Act::set_number) c.number = static_cast<std::uint32_t>(step["number"].integer(48));
+  if (c.act == Act::assign_numbers) {
+    const std::string jaw = step["jaw"].text();
+    if (jaw != "unknown" && jaw != "upper" && jaw != "lower") wrong(step.name(), "is of no jaw");
+    if (jaw != "unknown") c.numbering.jaw = jaw == "upper" ? features::Jaw::upper : features::Jaw::lower;
+    c.numbering.mirrored = step["mirrored"].boolean();
+    c.numbering.least_confidence = step["least_confidence"].number();
+  }
   const std::size_t least = c.act == Act::divide                                                             ? 2
                             : c.act == Act::click || c.act == Act::take_in || c.act == Act::leave_out ? 1
                                                                                                       : 0;
@@ -239,6 +248,13 @@ std::string to_json(const SavedSession &session, const mesh::Surface &surface) {
     if (c.tooth != mesh::none) step["tooth"] = c.tooth;
     if (c.other != mesh::none) step["other"] = c.other;
     if (!c.at.empty()) step["at"] = to_json(c.at);
+    if (c.act == Command::Act::set_number) step["number"] = c.number;
+    if (c.act == Command::Act::assign_numbers) {
+      const tooth::NumberOptions &o = c.numbering;
+      step["jaw"] = !o.jaw ? "unknown" : *o.jaw == features::Jaw::upper ? "upper" : "lower";
+      step["mirrored"] = o.mirrored;
+      step["least_confidence"] = o.least_confidence;
+    }
     steps.push_back(std::move(step));
   }
   const json all = {{"toothseg_session", kFormat},

@@ -50,6 +50,10 @@ ts_status status_of(Fault fault) noexcept {
     case Fault::locked: return TS_E_LOCKED;
     case Fault::no_change: return TS_E_NO_CHANGE;
     case Fault::no_history: return TS_E_NO_HISTORY;
+    case Fault::too_many_teeth: return TS_E_TOO_MANY_TEETH;
+    case Fault::number_jaw: return TS_E_NUMBER_JAW;
+    case Fault::number_taken: return TS_E_NUMBER_TAKEN;
+    case Fault::number_order: return TS_E_NUMBER_ORDER;
   }
   return TS_E_INTERNAL;
 }
@@ -96,6 +100,10 @@ const char *ts_status_name(ts_status status) {
     TS_NAME(TS_E_LOCKED);
     TS_NAME(TS_E_NO_CHANGE);
     TS_NAME(TS_E_NO_HISTORY);
+    TS_NAME(TS_E_TOO_MANY_TEETH);
+    TS_NAME(TS_E_NUMBER_JAW);
+    TS_NAME(TS_E_NUMBER_TAKEN);
+    TS_NAME(TS_E_NUMBER_ORDER);
     case TS_STATUS_FORCE_INT: break;
   }
 #undef TS_NAME

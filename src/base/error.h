@@ -39,6 +39,10 @@ enum class Fault {
   locked,
   no_change,
   no_history,
+  too_many_teeth,
+  number_jaw,
+  number_taken,
+  number_order,
 };
 
 class Error : public std::runtime_error {

@@ -19,6 +19,15 @@ constexpr double mean_width(Jaw jaw, int place) {
   return (jaw == Jaw::upper ? upper : lower)[from_middle];
 }
 
+// Mean buccolingual diameter of the crown at a place, mm: Ash & Nelson, Wheeler's Dental Anatomy, Physiology and
+// Occlusion, 8th ed. (2003), table of average measurements.
+constexpr double mean_depth(Jaw jaw, int place) {
+  constexpr std::array<double, 8> upper{7.0, 6.0, 8.0, 9.0, 9.0, 11.0, 11.0, 10.0};
+  constexpr std::array<double, 8> lower{6.0, 6.5, 7.5, 7.5, 8.0, 10.5, 10.0, 9.5};
+  const int from_middle = place < 8 ? 7 - place : place - 8;
+  return (jaw == Jaw::upper ? upper : lower)[from_middle];
+}
+
 // What departures from the formula cost, in the units of the weights (teeth.h): log-probability.
 struct FormulaCosts {
   double width = 12;          // times log(width / mean)^2: a standard deviation of 20 %, of teeth and cuts together

@@ -2,6 +2,7 @@
 // then it is there for those after it.
 #pragma once
 
+#include "tooth/numbers.h"
 #include "tooth/segmenter.h"
 
 namespace ts::tooth {
@@ -31,6 +32,7 @@ class Session {
   void apply(Correction correction, Index group);
   void remove(Index group);
   void lock(Index group, bool locked);
+  void set_numbers(Numbers numbers) { numbers_ = std::move(numbers); }
 
   Index clicks() const { return static_cast<Index>(clicks_.size()); }
   const Click &click(Index number) const;        // its teeth have been taken out
@@ -39,6 +41,7 @@ class Session {
   bool locked(Index group) const;                // false if not separated
   const Among &among() const { return among_; }  // for the next click; null: the groups of the features
   Index click_of(Index group) const;             // the click that separated it last
+  const Numbers &numbers() const { return numbers_; }
 
   // A label a model face: 0 or group + 1. A face of two teeth belongs to the one that is locked, or, where neither or
   // both are, to the one with the nearest seed.
@@ -65,6 +68,7 @@ class Session {
   Vec<std::shared_ptr<const Click>> clicks_;  // shared as well
   Among among_;
   Vec<Entry> entries_;  // by group
+  Numbers numbers_;
 };
 
 }  // namespace ts::tooth

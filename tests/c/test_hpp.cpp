@@ -67,6 +67,12 @@ void the_whole_way() {
   CHECK(segmentation.teeth().size() == features.groups().size());
   CHECK(segmentation.labels().size() == report.input_faces);
 
+  segmentation.assign_numbers();
+  const ts_number_info number = segmentation.number(info.target);
+  CHECK(segmentation.jaw().jaw == TS_JAW_UPPER && number.fdi / 10 <= 2);
+  segmentation.set_number(info.target, number.fdi);
+  CHECK(segmentation.number(info.target).set_by_hand == 1);
+
   const ts_tooth_info tooth = segmentation.tooth(info.target);
   CHECK(segmentation.tooth_faces(info.target).size() == tooth.faces);
   CHECK(segmentation.tooth_vertices(info.target).size() == tooth.vertices);

@@ -260,6 +260,26 @@ static void result_functions(void) {
   ACCEPTED(ts_get_contour_points, (s.segmentation, 0, 0, NULL, 0, &count, NULL, NULL));
 }
 
+static void number_functions(void) {
+  ts_number_info number;
+  ts_jaw_info jaw;
+  ts_palmer palmer;
+  number.struct_size = sizeof number;
+  jaw.struct_size = sizeof jaw;
+  palmer.struct_size = sizeof palmer;
+  begin();
+  REFUSED(ts_number_options_init, (NULL, sizeof(ts_number_options)));
+  REFUSED(ts_assign_numbers, (NULL, NULL));
+  REFUSED(ts_set_number, (NULL, 0, 11));
+  REFUSED(ts_get_number, (NULL, 0, &number));
+  REFUSED(ts_get_number, (s.segmentation, 0, NULL));
+  REFUSED(ts_get_jaw, (NULL, &jaw));
+  REFUSED(ts_get_jaw, (s.segmentation, NULL));
+  REFUSED(ts_fdi_to_universal, (11, NULL));
+  REFUSED(ts_universal_to_fdi, (1, NULL));
+  REFUSED(ts_fdi_to_palmer, (11, NULL));
+}
+
 static void every_function_is_here(void) {
   size_t i;
   CHECK(FUNCTIONS >= 60);
@@ -329,6 +349,7 @@ int main(void) {
   RUN(segmentation_functions);
   RUN(result_functions);
   RUN(session_functions);
+  RUN(number_functions);
   RUN(every_function_is_here);
   free_scan(&s);
   return harness_finish();

@@ -27,8 +27,19 @@ static void do_things(ts_segmentation *segmentation) {
   CHECK_STATUS(ts_tooth_split(segmentation, teeth[0], point[keep].position, point[part].position, NULL, NULL), TS_OK);
   CHECK_STATUS(ts_tooth_set_locked(segmentation, teeth[3], 1), TS_OK);
   CHECK_STATUS(ts_tooth_remove(segmentation, teeth[4]), TS_OK);
+  CHECK_STATUS(ts_assign_numbers(segmentation, NULL), TS_OK);
+  CHECK_STATUS(ts_set_number(segmentation, teeth[0], 17), TS_OK);
+  CHECK_STATUS(ts_tooth_remove(segmentation, teeth[5]), TS_OK);
   CHECK_STATUS(ts_undo(segmentation), TS_OK);
   free(clicks);
+}
+
+static uint32_t number_of(const ts_segmentation *segmentation, uint32_t tooth) {
+  ts_number_info info;
+  memset(&info, 0, sizeof info);
+  info.struct_size = sizeof info;
+  CHECK_STATUS(ts_get_number(segmentation, tooth, &info), TS_OK);
+  return info.fdi + 100 * info.set_by_hand;
 }
 
 static char *text_of(const ts_segmentation *segmentation, uint32_t *size) {
@@ -43,7 +54,7 @@ static char *text_of(const ts_segmentation *segmentation, uint32_t *size) {
 static void a_session_read_goes_on_as_the_one_written(void) {
   ts_segmentation *again = NULL;
   ts_features *features = NULL;
-  uint32_t size = 0, size2 = 0, teeth[64], n = 0;
+  uint32_t size = 0, size2 = 0, teeth[64], n = 0, by_hand = 0;
   char *text, *text2;
   bytes a, b;
   do_things(s.segmentation);
@@ -64,6 +75,12 @@ static void a_session_read_goes_on_as_the_one_written(void) {
   CHECK(same_bytes(&a, &b));
   free_bytes(&a);
   free_bytes(&b);
+  CHECK_STATUS(ts_get_teeth(again, teeth, 64, &n), TS_OK);
+  while (n-- > 0) {
+    by_hand += number_of(again, teeth[n]) == 117;
+    CHECK(number_of(again, teeth[n]) == number_of(s.segmentation, teeth[n]));
+  }
+  CHECK(by_hand == 1);
   text2 = text_of(again, &size2);
   CHECK(size2 == size && memcmp(text, text2, size) == 0);
   free(text2);
@@ -137,6 +154,8 @@ static void what_is_no_session_is_refused(void) {
     {"\"act\": \"merge\"", "\"act\": \"explode\"", TS_E_FILE_SYNTAX},
     {"\"act\": \"remove\"", "\"act\": \"split\"", TS_E_FILE_SYNTAX},
     {"\"act\": \"merge\"", "\"act\": \"lock\"", TS_E_MISMATCH},
+    {"\"number\": 17", "\"number\": 99", TS_E_FILE_SYNTAX},
+    {"\"jaw\": \"unknown\"", "\"jaw\": \"both\"", TS_E_FILE_SYNTAX},
     {"\"tooth\": ", "\"tooth\": 40000", TS_E_MISMATCH},
     {"\"tooth\": ", "\"tooth\": -1, \"was\": ", TS_E_FILE_SYNTAX},
     {"\"vertex\": ", "\"vertex\": 4000000", TS_E_FILE_SYNTAX},

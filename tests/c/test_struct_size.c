@@ -33,6 +33,10 @@ static ts_status init_segment(void *o, uint32_t size) {
   return ts_segment_options_init(o, size, TS_PRESET_PAPER);
 }
 
+static ts_status init_number(void *o, uint32_t size) {
+  return ts_number_options_init(o, size);
+}
+
 static ts_status use_context(void *o) {
   ts_context *out = NULL;
   const ts_status status = ts_context_create(o, &out);
@@ -75,7 +79,20 @@ static ts_status use_segment(void *o) {
   return status;
 }
 
+static ts_status use_number(void *o) {
+  return ts_assign_numbers(s.segmentation, o);
+}
+
 static uint32_t tooth_id;
+static ts_status get_number(void *o) {
+  return ts_get_number(s.segmentation, tooth_id, o);
+}
+static ts_status get_jaw(void *o) {
+  return ts_get_jaw(s.segmentation, o);
+}
+static ts_status get_palmer(void *o) {
+  return ts_fdi_to_palmer(21, o);
+}
 static ts_status get_report(void *o) {
   return ts_model_get_report(s.model, o);
 }
@@ -111,7 +128,8 @@ static const struct {
                {"ts_mesh_input", init_input, use_input, sizeof(ts_mesh_input)},
                {"ts_intake_options", init_intake, use_intake, sizeof(ts_intake_options)},
                {"ts_feature_options", init_features, use_features, sizeof(ts_feature_options)},
-               {"ts_segment_options", init_segment, use_segment, sizeof(ts_segment_options)}},
+               {"ts_segment_options", init_segment, use_segment, sizeof(ts_segment_options)},
+               {"ts_number_options", init_number, use_number, sizeof(ts_number_options)}},
   results[] = {{"ts_intake_report", NULL, get_report, sizeof(ts_intake_report)},
                {"ts_features_info", NULL, get_features, sizeof(ts_features_info)},
                {"ts_click_info", NULL, get_click, sizeof(ts_click_info)},
@@ -119,7 +137,10 @@ static const struct {
                {"ts_cut_info", NULL, get_cut, sizeof(ts_cut_info)},
                {"ts_memory_info", NULL, get_memory, sizeof(ts_memory_info)},
                {"ts_history_info", NULL, get_history, sizeof(ts_history_info)},
-               {"ts_prepare_times", NULL, get_times, sizeof(ts_prepare_times)}};
+               {"ts_prepare_times", NULL, get_times, sizeof(ts_prepare_times)},
+               {"ts_number_info", NULL, get_number, sizeof(ts_number_info)},
+               {"ts_jaw_info", NULL, get_jaw, sizeof(ts_jaw_info)},
+               {"ts_palmer", NULL, get_palmer, sizeof(ts_palmer)}};
 
 /* All of these are no size of any release; 0.1.0 is the first, so that no shorter one is one. */
 static size_t wrong_sizes(uint32_t size, uint32_t *wrong) {

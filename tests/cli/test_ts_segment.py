@@ -103,6 +103,8 @@ class Usage(ToolTest):
         self.refused(scan, "--unit", "furlong", says=["--unit", "furlong"])
         for threads in ("-1", "1025", "many", "2x", "99999999999999999999"):
             self.refused(scan, "--threads", threads, says=["--threads", threads])
+        self.refused(scan, "--jaw", "left", says=["--jaw", "left"])
+        self.refused(scan, "--jaw", says="--jaw")
         clicks = self.write("clicks.txt", "0 0 0\n")
         self.refused(scan, "--auto", "--clicks", clicks, says="--auto")
 
@@ -355,6 +357,73 @@ class Results(ToolTest):
         self.assertIn(done.returncode, (0, 1), done)
         self.assertEqual(self.load("r.json")["preset"], "paper")
         self.assertEqual(done.returncode, 1 if self.load("r.json")["counts"]["failed_clicks"] else 0)
+
+
+class Numbers(ToolTest):
+    def test_fdi(self):
+        done = self.run_tool(self.scan.ply, "--fdi", "--jaw", "upper", "--labels", "l.txt", "--report", "r.json")
+        self.assertEqual(done.returncode, 0, done)
+        report = self.load("r.json")
+        self.assertEqual((report["jaw"], report["jaw_confidence"]), ("upper", 1))
+        with open(self.path("l.txt")) as f:
+            labels = [int(x) for x in f]
+        self.assertEqual(set(labels), {t["fdi"] for t in report["teeth"]} | {0})
+        agree = sum(a == b for a, b in zip(labels, self.scan.labels) if b)
+        self.assertGreater(agree, 0.8 * sum(b > 0 for b in self.scan.labels))
+        # A complaint for each that is uncertain, and for nothing else.
+        unsure = [t for t in report["teeth"] if t["fdi_confidence"] < 0.9]
+        self.assertEqual(done.stderr.count("is uncertain"), len(unsure))
+        self.assertEqual(done.stderr.count("\n"), len(unsure))
+        other = self.run_tool(self.scan.ply, "--fdi", "--labels", "e.txt", "--report", "e.json")
+        self.assertEqual(other.returncode, 0, other)
+        self.assertEqual(self.load("e.json")["jaw"], "upper")
+        self.assertTrue(0.9 <= self.load("e.json")["jaw_confidence"] < 1)
+
+    def test_without_numbers_the_report_has_none(self):
+        self.run_tool(self.scan.ply, "--report", "r.json")
+        self.assertNotIn("jaw", self.load("r.json"))
+        self.assertNotIn("fdi", self.load("r.json")["teeth"][0])
+
+    def test_json3dts(self):
+        # The scan with a vertex that no face uses, and each face with corners of its own: the labels are of the file's.
+        vertices, faces = [], []
+        subprocess.run([MAKE_ARCH, self.path("p7_upper.obj"), "--triangles", "12000"], check=True, stdout=subprocess.DEVNULL)
+        with open(self.path("p7_upper.obj")) as f:
+            for line in f:
+                if line.startswith("v "):
+                    vertices.append(line)
+                elif line.startswith("f "):
+                    faces.append([int(x) for x in line.split()[1:]])
+        with open(self.path("p7_upper.obj"), "a") as f:
+            f.write("v 1 2 3\n")
+        done = self.run_tool("p7_upper.obj", "--jaw", "upper", "--fdi", "--labels", "l.txt", "--json3dts", "out.json")
+        self.assertEqual(done.returncode, 0, done)
+        out = self.load("out.json")
+        self.assertEqual(list(out), ["id_patient", "jaw", "labels", "instances"])
+        self.assertEqual((out["id_patient"], out["jaw"]), ("p7", "upper"))
+        self.assertEqual(len(out["labels"]), len(vertices) + 1)
+        self.assertEqual((len(out["instances"]), out["labels"][-1], out["instances"][-1]), (len(vertices) + 1, 0, 0))
+        self.assertEqual(len(set(zip(out["labels"], out["instances"]))), len(set(out["labels"])))
+        with open(self.path("l.txt")) as f:
+            of_face = [int(x) for x in f]
+        votes = [{} for _ in vertices]
+        for face, label in zip(faces, of_face):
+            for v in face:
+                votes[v - 1][label] = votes[v - 1].get(label, 0) + 1
+        for label, own in zip(out["labels"], votes):
+            self.assertEqual(own[label], max(own.values()))
+            if label == 0:
+                self.assertTrue(all(n < own[0] for other, n in own.items() if other))
+        self.refused("p7_upper.obj", "--json3dts", self.path("none/o.json"), says="none/o.json")
+
+    def test_a_jaw_that_cannot_be_told_is_not_written(self):
+        report = self.run_tool(self.scan.ply, "--jaw", "upper", "--report", "r.json")
+        self.assertEqual(report.returncode, 0)
+        self.assertEqual(self.load("r.json")["jaw"], "upper")
+        lower = self.run_tool(self.scan.ply, "--jaw", "lower", "--fdi", "--labels", "l.txt")
+        self.assertEqual(lower.returncode, 0)
+        with open(self.path("l.txt")) as f:
+            self.assertTrue(all(int(x) == 0 or int(x) > 30 for x in f))
 
 
 class Clicks(ToolTest):
