@@ -380,12 +380,18 @@ static ts_status random_step(void) {
   }
 }
 
+#ifdef __SANITIZE_ADDRESS__
+enum { SEQUENCES = 100 }; /* ten times as slow */
+#else
+enum { SEQUENCES = 1000 };
+#endif
+
 static void random_sequences_there_and_back(void) {
   int sequence, step;
   bytes empty, end, now;
   start();
   empty = dump_teeth(s.segmentation);
-  for (sequence = 0; sequence < 1000; ++sequence) {
+  for (sequence = 0; sequence < SEQUENCES; ++sequence) {
     harness_case("sequence %d", sequence);
     for (step = 0; step < 5; ++step) {
       const ts_status status = random_step();
