@@ -47,6 +47,8 @@ uint32_t id_of(const ts_segmentation &s, Index group) {
   return group < groups.size() ? groups[group].id : first_made_id(s) + static_cast<uint32_t>(group - groups.size());
 }
 
+}  // namespace
+
 Index group_of(const ts_segmentation *s, uint32_t id) {
   need(s, "segmentation");
   const auto &groups = s->prepared->features->set.groups();
@@ -57,6 +59,8 @@ Index group_of(const ts_segmentation *s, uint32_t id) {
     throw Error(Fault::not_found, "no tooth " + std::to_string(id) + " has been separated");
   return group;
 }
+
+namespace {
 
 const Tooth &find_tooth(const ts_segmentation *s, uint32_t id) {
   const Index group = group_of(s, id);  // looks first whether there is an s

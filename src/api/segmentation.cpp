@@ -141,7 +141,7 @@ ts_status ts_segment_click(ts_segmentation *segmentation, const double position[
     const AllocatorScope scope(p.context().allocator);
     const ts::Progress progress = progress_of(job);
     ts::tooth::Session next = segmentation->session;
-    next.add(p.segmenter->click(surface_point(p, position), next.teeth(), progress, next.among()));
+    add_click(p, next, p.segmenter->click(surface_point(p, position), next.teeth(), progress, next.among()));
     progress(1);
     segmentation->session = std::move(next);
     if (click) *click = segmentation->session.clicks() - 1;
@@ -170,7 +170,7 @@ ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positio
       for (auto &outcome : p.segmenter->clicks(at, next.teeth(), part, next.among())) {
         status.push_back(outcome.click ? TS_OK : status_of(outcome.fault));
         if (outcome.click) {
-          next.add(std::move(*outcome.click));
+          add_click(p, next, std::move(*outcome.click));
           continue;
         }
         const std::string what = "click " + std::to_string(status.size() - 1) + ": " + outcome.message;

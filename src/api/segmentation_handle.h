@@ -64,3 +64,13 @@ struct ts_segmentation {
   ts::api::ViewCache views;
   ts::api::DetailsCache details;
 };
+
+namespace ts::api {
+
+// The group of a tooth that stands separated, by the caller's id. Throws null, not_found.
+mesh::Index group_of(const ts_segmentation *segmentation, uint32_t id);
+
+// Adds a click to a session; the edits of teeth that it separates anew are applied again where they can be.
+void add_click(const Prepared &prepared, tooth::Session &session, tooth::Click click);
+
+}  // namespace ts::api

@@ -35,6 +35,11 @@ enum class Fault {
   click_on_gingiva,
   no_cut,
   solver,
+  edit_nothing,
+  edit_on_tooth,
+  edit_crossing,
+  edit_off_cut,
+  edit_no_loop,
 };
 
 class Error : public std::runtime_error {

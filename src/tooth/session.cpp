@@ -55,6 +55,26 @@ Index Session::click_of(Index group) const {
   return mesh::none;
 }
 
+void Session::replace(Index group, Tooth tooth, Vec<EditRecord> edits) {
+  Entry &entry = *std::ranges::lower_bound(entries_, group, {}, &Entry::group);
+  Entry next = entry;
+  if (!next.automatic) next.automatic = next.tooth;
+  next.tooth = edits.empty() ? next.automatic : std::make_shared<const Tooth>(std::move(tooth));
+  if (edits.empty()) next.automatic.reset();
+  next.edits = std::move(edits);
+  entry = std::move(next);
+}
+
+const Tooth *Session::automatic(Index group) const {
+  for (const Entry &e : entries_)
+    if (e.group == group) return e.automatic ? e.automatic.get() : e.tooth.get();
+  return nullptr;
+}
+
+const Vec<EditRecord> &Session::edits(Index group) const {
+  return entry_of(group).edits;
+}
+
 Vec<std::uint32_t> Session::labels() const {
   const mesh::Surface &s = *surface_;
   Vec<std::uint32_t> label(s.faces(), 0);
