@@ -75,6 +75,14 @@ void Reroute::free_stretch(Index from, Index to, std::span<const double> length,
     for (const Index v : {s_.from(h), s_.to(h)}) space_.marks.set(v, space_.marks[v] | kBorder);
 }
 
+void Reroute::leave(double far, std::span<const double> length) {
+  Vec<geometry::PathStart> starts;
+  for (const Index v : freed_) starts.push_back({v});
+  for (const Index v : space_.paths.within(
+           starts, [&](Index e) { return length[e]; }, far))
+    space_.marks.set(v, space_.marks[v] | kLeft);
+}
+
 Vec<Index> Reroute::cheapest(Index from, Index to, FunctionRef<double(Index)> cost) {
   constexpr double kBarred = std::numeric_limits<double>::infinity();
   const auto open = [&](Index v) { return v == from || v == to || !barred(v); };

@@ -19,6 +19,10 @@ class Reroute {
   void free_stretch(Index from, Index to, std::span<const double> length, double reach);
   const Vec<Index> &freed() const { return freed_; }  // its vertices
 
+  // Marks the vertices within `far` of what was freed, along edges: what the border is led away from.
+  void leave(double far, std::span<const double> length);
+  bool is_left(Index v) const { return (space_.marks[v] & kLeft) != 0; }
+
   // On what stays of the border, or on a way bolted before.
   bool barred(Index v) const { return (space_.marks[v] & (kBorder | kWay)) != 0; }
   void bolt(Index v) { space_.marks.set(v, space_.marks[v] | kWay); }
@@ -33,7 +37,7 @@ class Reroute {
   void take(std::span<const Index> way, std::span<const Index> seeds);
 
  private:
-  static constexpr std::uint8_t kBorder = 4, kWay = 8;
+  static constexpr std::uint8_t kBorder = 4, kWay = 8, kLeft = 32;
   bool is_border(Index halfedge) const;
 
   const Surface &s_;

@@ -134,8 +134,8 @@ Vec<EdgeCrossing> geodesic(const Surface &s, const mesh::SurfacePoint &from, con
                            Marcher &march) {
   Vec<EdgeCrossing> way;
   if (from.face == to.face) return way;
-  // Straight distances two rings around the target: a front that begins at a point is too bent for a straight one.
-  march.begin();
+  // Straight distances two rings around the target.
+  march.begin(Marcher::Front::round);
   for (const Index v : s.triangle[to.face])
     for (const Index f : s.vertex_faces[v])
       for (const Index w : s.triangle[f]) march.start(w, (s.position[w] - to.position).norm());

@@ -22,9 +22,22 @@ double across(const Vec3 &c, const Vec3 &a, double da, const Vec3 &b, double db)
   return from_a <= 0 && from_b <= 0 ? t : kNone;
 }
 
+// The same of a round one: the distance from where circles of da around a and of db around b meet beyond the edge.
+double around(const Vec3 &c, const Vec3 &a, double da, const Vec3 &b, double db) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const double l = (b - a).norm();
+  if (!(l > 0)) return kNone;
+  const double x = (da * da - db * db + l * l) / (2 * l), y = std::sqrt(std::max(0.0, da * da - x * x));
+  const double cx = (c - a).dot(b - a) / l, cy = std::sqrt(std::max(0.0, (c - a).squaredNorm() - cx * cx));
+  if (!(y + cy > 0)) return kNone;
+  const double through = x + (cx - x) * y / (y + cy), d = std::hypot(cx - x, cy + y);
+  return through >= 0 && through <= l && d >= std::max(da, db) ? d : kNone;
+}
+
 }  // namespace
 
-void Marcher::begin() {
+void Marcher::begin(Front front) {
+  front_ = front;
   if (stamp_.empty()) {
     distance_.resize(surface_->vertices());
     stamp_.assign(surface_->vertices(), 0);
@@ -52,7 +65,8 @@ void Marcher::spread(Index v) {
       const auto &t = s.triangle[f];
       const Index third = t[0] != v && t[0] != w ? t[0] : t[1] != v && t[1] != w ? t[1] : t[2];
       if (!settled(third)) continue;
-      const double d = across(s.position[w], s.position[v], distance_[v], s.position[third], distance_[third]);
+      const double d = (front_ == Front::round ? around : across)(s.position[w], s.position[v], distance_[v],
+                                                                  s.position[third], distance_[third]);
       if (d < std::numeric_limits<double>::infinity()) offer(w, d);
     }
 }

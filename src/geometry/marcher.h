@@ -1,5 +1,5 @@
 // Distances along the surface across its faces: fast marching on triangles (Kimmel and Sethian, PNAS 95, 1998). In
-// obtuse triangles, where no front can come from within, the edges are taken.
+// triangles through which no front comes, the edges are taken.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,10 @@ class Marcher {
  public:
   explicit Marcher(const Surface &surface) : surface_(&surface) {}
 
-  void begin();
+  // A front that crosses a triangle is taken for straight, as from a line, or for a circle, as from a point: then
+  // distances on what can be laid flat are exact.
+  enum class Front { straight, round };
+  void begin(Front front);
   void start(Index v, double distance) { offer(v, distance); }
 
   // reach(vertex, distance) is called in the order of distance and returns false to end the march. Vertices beside
@@ -54,6 +57,7 @@ class Marcher {
   Vec<std::uint32_t> stamp_;
   std::uint32_t open_ = 0;  // stamp of a vertex that has a distance; one more: a final one
   Vec<Entry> heap_;
+  Front front_ = Front::straight;
 };
 
 }  // namespace ts::geometry

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "geometry/geodesic.h"
 #include "tooth/edit_line.h"
@@ -12,6 +13,10 @@ namespace {
 
 // What is less than the accuracy of a scanner is no drag. mm.
 constexpr double kNoLength = 0.01;
+
+// How far aside the way of a drag is twice as dear, mm: what borders of labelled crowns lie from ours at the 95th
+// percentile (docs/accuracy.md).
+constexpr double kAside = 0.45;
 
 std::string text_of(const Vec3 &p) {
   char text[96];
@@ -81,6 +86,34 @@ double length_along(const cut::Polyline &line, Index from, Index to) {
   return sum;
 }
 
+// A stretch with its points moved along with the one at `place`, which goes to `to`, the less the farther they are from
+// it; at most some 16 of them.
+Vec<Vec3> bent(const cut::Polyline &line, const Stretch &stretch, Index place, double half, const Vec3 &to) {
+  const auto n = static_cast<Index>(line.points.size());
+  const Index count = (stretch.last + n - stretch.first) % n, every = count / 16 + 1;
+  const Vec3 way = to - line.points[place].position;
+  Vec<Vec3> guide;
+  for (Index k = 0; k <= count; ++k) {
+    const Index i = (stretch.first + k) % n;
+    const bool before = k <= (place + n - stretch.first) % n;
+    if (i != place && i != stretch.last && k % every != 0) continue;
+    const double away = before ? length_along(line, i, place) : length_along(line, place, i);
+    const double share = away < half ? (1 + std::cos(std::numbers::pi * away / half)) / 2 : 0;
+    guide.push_back(line.points[i].position + share * way);
+  }
+  return guide;
+}
+
+double distance_to_line(const Vec3 &p, const Vec<Vec3> &line) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec3 d = line[i + 1] - line[i], q = p - line[i];
+    const double l = d.squaredNorm();
+    least = std::min(least, (q - (l > 0 ? std::clamp(q.dot(d) / l, 0.0, 1.0) : 0) * d).squaredNorm());
+  }
+  return std::sqrt(least);
+}
+
 void refuse_vertex(const Relining &lining, const Prepared &p, Index v) {
   if (lining.kind(v) == kForeign)
     throw Error(Fault::edit_on_tooth,
@@ -121,20 +154,21 @@ Tooth drag(const Prepared &p, const Tooth &tooth, const CutEdit &edit, const Sur
   const Index by = to.nearest_vertex(s);
   if (by == begin || by == end || border.barred(by) || lining.kind(by) != kFree) refuse_vertex(lining, p, by);
   border.bolt(begin), border.bolt(end);
-  // As the minimum cut prices it, and twice that as far from the straight line as the stretch is long: where no valley
-  // leads, the mesh must not.
+  // As the minimum cut prices it, but what lies nearer to the old line than half the drag is no valley: it is what the
+  // line is to leave. And dearer away from the old line bent towards the new place: where no valley leads, the mesh
+  // must not.
+  border.leave(far / 2, p.relief->length);
+  const Vec<Vec3> guide = bent(line, stretch, on.place, half, to.position);
   const double most = 1.5 * (half + far);
   const auto way_to = [&](Index corner) {
-    const Vec3 a = s.position[corner], d = to.position - a;
     return border.cheapest(corner, by, [&](Index e) {
       const auto &[v, w] = s.edge[e];
       const auto out = [&](Index x) {
         return x != corner && (lining.kind(x) != kFree || (s.position[x] - from).norm() > most);
       };
       if (out(v) || out(w)) return std::numeric_limits<double>::infinity();
-      const Vec3 m = (s.position[v] + s.position[w]) / 2 - a;
-      const double t = d.squaredNorm() > 0 ? std::clamp(m.dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;
-      return p.relief->price[e] * (1 + (m - t * d).norm() / half);
+      const double price = border.is_left(v) && border.is_left(w) ? p.relief->length[e] : p.relief->price[e];
+      return price * (1 + distance_to_line((s.position[v] + s.position[w]) / 2, guide) / kAside);
     });
   };
   // One way first, then the other, past it; where the first leaves no room, the other way round.
@@ -158,16 +192,25 @@ Tooth drag(const Prepared &p, const Tooth &tooth, const CutEdit &edit, const Sur
     throw Error(Fault::edit_crossing,
                 "no way leads from the cut through " + text_of(to.position) + " that does not cross it");
   const cut::Through through[] = {{to.face, to.barycentric}};
-  Tooth made = lining.follow(stretch, way, through);
+  Tooth made = lining.follow(stretch, way, through, {});
   refuse_unless_on(made, to.position, s.mean_edge);
   return made;
 }
 
-// A stroke as it goes from vertex to vertex, with the points that it passes by.
+// A stroke as it goes from vertex to vertex, with the points that it passes by, and where it crosses an edge.
 struct Step {
   Index vertex;
   cut::Through through;
+  cut::EdgePoint crossing = {};
 };
+
+cut::EdgePoint crossing_of(const mesh::Surface &s, const geometry::EdgeCrossing &c) {
+  if (!(c.t > 1e-6 && c.t < 1 - 1e-6)) return {};  // at a vertex
+  cut::EdgePoint p{c.a, c.b, c.t, Vec3::Zero()};
+  if (p.a > p.b) std::swap(p.a, p.b), p.t = 1 - p.t;
+  p.position = (1 - p.t) * s.position[p.a] + p.t * s.position[p.b];
+  return p;
+}
 
 Vec<Step> steps_of(const Prepared &p, const Vec<mesh::SurfacePoint> &stroke, cut::Space &space) {
   const mesh::Surface &s = *p.surface;
@@ -198,7 +241,7 @@ Vec<Step> steps_of(const Prepared &p, const Vec<mesh::SurfacePoint> &stroke, cut
               break;
             }
           }
-          add({v, through});
+          add({v, through, crossing_of(s, c)});
         }
       } catch (const Error &e) {
         if (e.fault() != Fault::not_found) throw;
@@ -283,16 +326,18 @@ Tooth draw(const Prepared &p, const Tooth &tooth, const CutEdit &edit, const Sur
   if (ahead) std::ranges::reverse(steps);
   Vec<Index> way;
   Vec<cut::Through> through;
+  cut::Polyline drawn;
   for (const Step &step : steps) {
     if (way.empty() || way.back() != step.vertex) way.push_back(step.vertex);
     if (!step.through.weight.isZero()) through.push_back(step.through);
+    if (step.crossing.a != mesh::none) drawn.points.push_back(step.crossing);
   }
   if (way.size() < 2 || way.front() == way.back())
     throw Error(Fault::edit_nothing, "the stroke does not leave the cut");
   border.free_stretch(way.front(), way.back(), p.relief->length, lining.reach_along(stretch));
   for (std::size_t i = 1; i + 1 < way.size(); ++i)
     if (border.barred(way[i]) || lining.kind(way[i]) != kFree) refuse_vertex(lining, p, way[i]);
-  return lining.follow(stretch, way, through);
+  return lining.follow(stretch, way, through, drawn);
 }
 
 }  // namespace

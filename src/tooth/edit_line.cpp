@@ -97,7 +97,8 @@ void Relining::hold_kept(const Vec<cut::CrossedEdge> &kept) {
     }
 }
 
-Tooth Relining::follow(const Stretch &stretch, std::span<const Index> way, std::span<const cut::Through> through) {
+Tooth Relining::follow(const Stretch &stretch, std::span<const Index> way, std::span<const cut::Through> through,
+                       const cut::Polyline &drawn) {
   cut::Space &space = *space_;
   border_.take(way, tooth_.seeds);
   const auto n = static_cast<Index>(lines_[stretch.loop]->points.size());
@@ -135,13 +136,13 @@ Tooth Relining::follow(const Stretch &stretch, std::span<const Index> way, std::
   }
   hold_kept(kept);
   cut::smooth_psi(s_, p_.relief->cotangent, radius(), zone, through, space);
-  return finish(std::move(zone), kept);
+  return finish(std::move(zone), kept, drawn);
 }
 
 Tooth Relining::offset(double mm) {
   cut::Space &space = *space_;
   geometry::Marcher &march = space.march;
-  march.begin();
+  march.begin(geometry::Marcher::Front::straight);
   for (const cut::Polyline *line : lines_)
     for (std::size_t i = 0; i < line->faces.size(); ++i)
       each_corner(s_, *line, i, [&](Index v, double d) { march.start(v, d); });
@@ -166,7 +167,7 @@ Tooth Relining::offset(double mm) {
   zone.erase(std::unique(zone.begin(), zone.end()), zone.end());
   hold_inside();
   for (const Index v : zone) space.level.set(v, (within(v) ? -march.distance(v) : march.distance(v)) - mm);
-  return finish(std::move(zone), {});
+  return finish(std::move(zone), {}, {});
 }
 
 Tooth Relining::smooth(double strength) {
@@ -191,11 +192,11 @@ Tooth Relining::smooth(double strength) {
     space.level.set(at.vertex, all > 0 ? 1 - 2 * in / all : 1);
   }
   cut::smooth_psi(s_, p_.relief->cotangent, strength, zone, {}, space);
-  return finish(std::move(zone), {});
+  return finish(std::move(zone), {}, {});
 }
 
 // psi is set; the region is space.inside, and space.faces where a border was led another way.
-Tooth Relining::finish(Vec<Index> zone, const Vec<cut::CrossedEdge> &kept) {
+Tooth Relining::finish(Vec<Index> zone, const Vec<cut::CrossedEdge> &kept, const cut::Polyline &drawn) {
   cut::Space &space = *space_;
   space.marks.clear();
   const double lost = cut::drop_unreached(s_, zone, true, tooth_.seeds, space);
@@ -221,7 +222,7 @@ Tooth Relining::finish(Vec<Index> zone, const Vec<cut::CrossedEdge> &kept) {
     throw Error(Fault::edit_no_loop, "the cut would be " + std::to_string(lines.size()) + " lines, " +
                                          std::to_string(open(lines)) + " of them open; it is " +
                                          std::to_string(lines_.size()));
-  join_kept(lines, kept);
+  join_kept(lines, kept, drawn);
   Tooth made;
   made.group = tooth_.group;
   made.seeds = tooth_.seeds;
@@ -235,11 +236,17 @@ Tooth Relining::finish(Vec<Index> zone, const Vec<cut::CrossedEdge> &kept) {
 }
 
 // Puts the points that stay in their places, each line beginning with the first of them.
-void Relining::join_kept(Vec<cut::Polyline> &lines, const Vec<cut::CrossedEdge> &kept) const {
+void Relining::join_kept(Vec<cut::Polyline> &lines, const Vec<cut::CrossedEdge> &kept,
+                         const cut::Polyline &drawn) const {
   if (kept.empty()) return;
   Vec<const cut::Polyline *> views;
   for (const cut::Polyline &l : lines) views.push_back(&l);
   const cut::CrossedEdges anew(s_, views);
+  // Where a point is on its edge does not change what the line crosses.
+  const cut::Polyline *const hand[] = {&drawn};
+  const cut::CrossedEdges by_hand(s_, hand);
+  for (const cut::CrossedEdge &c : by_hand.all())
+    if (const cut::CrossedEdge *at = anew.find(c.edge)) lines[at->line].points[at->place] = c.point;
   Vec<std::pair<Index, Index>> begin(lines.size(), {mesh::none, 0});  // place in the old line, in the new one
   for (const cut::CrossedEdge &c : kept) {
     const cut::CrossedEdge *at = anew.find(c.edge);

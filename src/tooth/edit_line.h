@@ -26,9 +26,10 @@ class Relining {
   std::uint8_t kind(Index v) const { return kind_for(p_, tooth_.group, v); }
 
   // The stretch, whose border has been freed, replaced by `way`, which runs along edges from the first to the last
-  // vertex of what was freed. The line is smoothed as that of a click, passes by `through`, and is the same to the bit
-  // outside the stretch.
-  Tooth follow(const Stretch &stretch, std::span<const Index> way, std::span<const cut::Through> through);
+  // vertex of what was freed. The line is smoothed as that of a click, passes by `through`, takes the points of `drawn`
+  // on edges that it crosses, and is the same to the bit outside the stretch.
+  Tooth follow(const Stretch &stretch, std::span<const Index> way, std::span<const cut::Through> through,
+               const cut::Polyline &drawn);
 
   // All lines moved along the surface, outwards where `mm` > 0.
   Tooth offset(double mm);
@@ -40,8 +41,8 @@ class Relining {
   bool within(Index v) const { return (space_->marks[v] & cut::kWithin) != 0; }
   void hold_inside();
   void hold_kept(const Vec<cut::CrossedEdge> &kept);
-  Tooth finish(Vec<Index> zone, const Vec<cut::CrossedEdge> &kept);
-  void join_kept(Vec<cut::Polyline> &lines, const Vec<cut::CrossedEdge> &kept) const;
+  Tooth finish(Vec<Index> zone, const Vec<cut::CrossedEdge> &kept, const cut::Polyline &drawn);
+  void join_kept(Vec<cut::Polyline> &lines, const Vec<cut::CrossedEdge> &kept, const cut::Polyline &drawn) const;
   void take_faces(std::span<const Index> around, Tooth &made);
   void check_points(const Tooth &made) const;
   double radius() const;

@@ -10,9 +10,10 @@ using namespace ts::geometry;
 
 namespace {
 
-Vec<double> distances_from(const Surface &s, Index vertex, double limit = 1e9) {
+Vec<double> distances_from(const Surface &s, Index vertex, double limit = 1e9,
+                           Marcher::Front front = Marcher::Front::round) {
   Marcher march(s);
-  march.begin();
+  march.begin(front);
   march.start(vertex, 0);
   march.run([&](Index, double d) { return d <= limit; });
   Vec<double> d;
@@ -46,8 +47,27 @@ TEST_CASE("distances across faces are straight, where those along edges are not"
   const Vec<double> d = distances_from(s, 820);
   for (Index v = 0; v < s.vertices(); ++v) {
     const double straight = (s.position[v] - s.position[820]).norm();
-    CHECK(d[v] >= straight - 1e-9);
-    CHECK(d[v] < 1.06 * straight + 1e-9);
+    CHECK(d[v] == doctest::Approx(straight));
+  }
+  const Vec<double> flat = distances_from(s, 820, 1e9, Marcher::Front::straight);
+  for (Index v = 0; v < s.vertices(); ++v) {
+    const double straight = (s.position[v] - s.position[820]).norm();
+    CHECK(flat[v] >= straight - 1e-9);
+    CHECK(flat[v] < 1.08 * straight + 1e-9);
+  }
+}
+
+TEST_CASE("from a line the distances of a straight front are exact on a plane") {
+  const Surface s = forms::plane(10, 10, 40, 40);
+  Marcher march(s);
+  march.begin(Marcher::Front::straight);
+  for (Index v = 0; v < s.vertices(); ++v)  // the line x + y = 10, from one corner to the other
+    if (const double off = std::abs(s.position[v].x() + s.position[v].y() - 10) / std::sqrt(2.0); off < 0.3)
+      march.start(v, off);
+  march.run([](Index, double) { return true; });
+  for (Index v = 0; v < s.vertices(); ++v) {
+    const double x = s.position[v].x(), y = s.position[v].y(), off = std::abs(x + y - 10) / std::sqrt(2.0);
+    if (std::abs(x - y) + std::abs(x + y - 10) < 10) CHECK(march.distance(v) == doctest::Approx(off).epsilon(0.01));
   }
 }
 
@@ -102,14 +122,14 @@ TEST_CASE("a geodesic on a plane is straight, on a tube a helix") {
 
 TEST_CASE("no way: another piece of the surface, or one too long") {
   Vec<Vec3> position;
-  Vec<Triangle> triangle;
+  Vec<mesh::Triangle> triangle;
   for (const double x : {0.0, 20.0}) {
     const Surface part = forms::plane(4, 4, 8, 8);
     const Index first = static_cast<Index>(position.size());
     for (const Vec3 &p : part.position) position.push_back(p + Vec3(x, 0, 0));
     for (const auto &t : part.triangle) triangle.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
-  const Surface s = make_surface(position, triangle);
+  const Surface s = mesh::make_surface(position, triangle);
   const mesh::Bvh tree(s);
   Marcher march(s);
   const auto fault = [&](const Vec3 &a, const Vec3 &b, double limit) {

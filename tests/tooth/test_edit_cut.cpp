@@ -259,9 +259,10 @@ TEST_CASE("drags that are refused change nothing and say why") {
   CHECK(fault_of(drag_of(from, from)) == Fault::edit_nothing);
   CHECK(fault_of(drag_of(from, bench().on(centre_x(3), centre_y - 2))) == Fault::edit_on_tooth);
   CHECK(fault_of(drag_of(from + Vec3(0, -4, 0), buccal(1))) == Fault::edit_off_cut);
-  // Onto the cut itself on the other side, and beyond it.
+  // Beyond the cut on the other side: past it the way leads around the teeth beside it.
+  CHECK(fault_of(drag_of(from, bench().on(centre_x(2), centre_y + kHalfDepth + 1.5))) == Fault::edit_on_tooth);
+  // Onto the cut itself.
   CHECK(fault_of(drag_of(from, bench().on(centre_x(2), centre_y + kHalfDepth))) == Fault::edit_crossing);
-  CHECK(fault_of(drag_of(from, bench().on(centre_x(2), centre_y + kHalfDepth + 1.5))) == Fault::edit_crossing);
   // Past the points on this side.
   CHECK(fault_of(drag_of(from, bench().on(centre_x(2), centre_y + 0.5))) == Fault::edit_crossing);
   // On a point.
@@ -283,7 +284,7 @@ TEST_CASE("a drawn stretch runs by its points, joined to the cut; the longer pie
   stroke.points = wanted;
   const Tooth after = bench().edit(before, stroke);
   check_valid(after);
-  for (std::size_t i = 1; i + 1 < wanted.size(); ++i) CHECK(distance_to(after.loops[0].line, wanted[i]) < 0.02);
+  for (std::size_t i = 1; i + 1 < wanted.size(); ++i) CHECK(distance_to(after.loops[0].line, wanted[i]) < 0.03);
   // On flat gum the shortest way between two points is straight.
   for (double t = 0; t <= 1; t += 0.1)
     CHECK(distance_to(after.loops[0].line, (1 - t) * wanted[1] + t * wanted[2]) < 0.06);
