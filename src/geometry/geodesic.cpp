@@ -21,24 +21,41 @@ struct Stand {
 
 class Way {
  public:
-  Way(const Surface &s, const Marcher &march) : s_(s), march_(march) {}
+  Way(const Surface &s, const Marcher &march, const Vec3 &to) : s_(s), march_(march), to_(to) {}
 
   // The steepest way on from a stand; false where there is none down.
   bool step(Stand &at, Vec<EdgeCrossing> &way) const { return at.vertex == kFace ? cross(at, way) : leave(at, way); }
 
+  // From now on by what is linear in each face alone, which always leads down to the target.
+  void distrust() { trust_ = false; }
+
  private:
   // How fast the weights of the corners change when one goes down; false where the distance is not known or flat.
-  bool downhill(Index f, std::array<double, 3> &rate, double &slope) const {
+  bool downhill(Index f, const Vec3 &at, std::array<double, 3> &rate, double &slope) const {
     const auto &t = s_.triangle[f];
     const double d[3] = {march_.distance(t[0]), march_.distance(t[1]), march_.distance(t[2])};
     if (!std::isfinite(d[0] + d[1] + d[2])) return false;
-    const Vec3 g = face_gradient(s_, f, d[0], d[1], d[2]);
+    Vec3 g = face_gradient(s_, f, d[0], d[1], d[2]);
+    // Where the distances are straight ones their own gradient: that of a linear one is poor near the target.
+    if (straight(t[0]) && straight(t[1]) && straight(t[2])) {
+      const Vec3 away = at - to_, &normal = s_.face_normal[f];
+      g = (away - away.dot(normal) * normal) / std::max(away.norm(), 1e-12);
+    }
     slope = g.norm();
     if (!(slope > 0)) return false;
     rate[0] = -face_gradient(s_, f, 1, 0, 0).dot(g);
     rate[1] = -face_gradient(s_, f, 0, 1, 0).dot(g);
     rate[2] = -rate[0] - rate[1];
     return true;
+  }
+
+  bool straight(Index v) const {
+    const double d = (s_.position[v] - to_).norm();
+    return trust_ && std::abs(march_.distance(v) - d) <= 1e-9 * d;
+  }
+  Vec3 position(const Stand &at) const {
+    const auto &t = s_.triangle[at.face];
+    return at.weight[0] * s_.position[t[0]] + at.weight[1] * s_.position[t[1]] + at.weight[2] * s_.position[t[2]];
   }
 
   bool to_vertex(Stand &at, Index v, Vec<EdgeCrossing> &way) const {
@@ -53,7 +70,7 @@ class Way {
     const auto &t = s_.triangle[at.face];
     std::array<double, 3> rate;
     double slope = 0;
-    if (!downhill(at.face, rate, slope)) return lowest_corner(at, way);
+    if (!downhill(at.face, position(at), rate, slope)) return lowest_corner(at, way);
     std::size_t out = 3;
     double first = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k)
@@ -106,7 +123,7 @@ class Way {
     for (const Index f : s_.vertex_faces[v]) {
       std::array<double, 3> rate;
       double slope = 0;
-      if (!downhill(f, rate, slope) || !(slope > steepest)) continue;
+      if (!downhill(f, s_.position[v], rate, slope) || !(slope > steepest)) continue;
       const auto &t = s_.triangle[f];
       const std::size_t k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
       if (rate[(k + 1) % 3] > 0 && rate[(k + 2) % 3] > 0) steepest = slope, face = f;
@@ -126,6 +143,8 @@ class Way {
 
   const Surface &s_;
   const Marcher &march_;
+  const Vec3 to_;
+  bool trust_ = true;
 };
 
 }  // namespace
@@ -151,9 +170,12 @@ Vec<EdgeCrossing> geodesic(const Surface &s, const mesh::SurfacePoint &from, con
     return t[0] == at.vertex || t[1] == at.vertex || t[2] == at.vertex;
   };
   Stand at{kFace, from.face, {from.barycentric[0], from.barycentric[1], from.barycentric[2]}, mesh::none};
-  const Way down(s, march);
-  while (!arrived(at))
+  Way down(s, march, to.position);
+  constexpr std::size_t kMost = 5000;  // as many triangles has no way that is straight
+  while (!arrived(at)) {
+    if (way.size() > kMost) down.distrust();
     if (wanted > 0 || !down.step(at, way)) throw Error(Fault::not_found, "no way along the surface leads there");
+  }
   return way;
 }
 

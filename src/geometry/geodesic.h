@@ -13,7 +13,7 @@ struct EdgeCrossing {
 };
 
 // Where the way from one point to the other crosses edges, in order; consecutive ones lie in one face. It runs down the
-// gradient of the distance to `to`, which is linear in each face: as exact as the marcher is. Empty also where both lie
+// gradient of the distance to `to`: as exact as the marcher is. Empty also where both lie
 // in one face. Throws not_found where no way leads there, or none shorter than `limit`, mm.
 Vec<EdgeCrossing> geodesic(const Surface &surface, const mesh::SurfacePoint &from, const mesh::SurfacePoint &to,
                            double limit, Marcher &march);

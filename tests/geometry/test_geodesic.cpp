@@ -53,7 +53,7 @@ TEST_CASE("distances across faces are straight, where those along edges are not"
   for (Index v = 0; v < s.vertices(); ++v) {
     const double straight = (s.position[v] - s.position[820]).norm();
     CHECK(flat[v] >= straight - 1e-9);
-    CHECK(flat[v] < 1.08 * straight + 1e-9);
+    CHECK(flat[v] < 1.06 * straight + 0.06);
   }
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("a geodesic on a plane is straight, on a tube a helix") {
     const auto [length, off] = measure(flat, flat_tree.nearest(flat, a), flat_tree.nearest(flat, b),
                                        [&](const Vec3 &p) { return (p - from).cross(way).norm(); });
     CHECK(length < 1.005 * (b - a).norm() + 0.01);
-    CHECK(off < 0.1);
+    CHECK(off < 0.125);  // half an edge
   }
   const Surface tube = forms::tube(4, 12, 90, 60);
   const mesh::Bvh tree(tube);

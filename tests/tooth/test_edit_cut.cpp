@@ -284,7 +284,8 @@ TEST_CASE("a drawn stretch runs by its points, joined to the cut; the longer pie
   stroke.points = wanted;
   const Tooth after = bench().edit(before, stroke);
   check_valid(after);
-  for (std::size_t i = 1; i + 1 < wanted.size(); ++i) CHECK(distance_to(after.loops[0].line, wanted[i]) < 0.03);
+  for (std::size_t i = 1; i + 1 < wanted.size(); ++i)
+    CHECK(distance_to(after.loops[0].line, wanted[i]) < 0.06);  // a corner, within a triangle
   // On flat gum the shortest way between two points is straight.
   for (double t = 0; t <= 1; t += 0.1)
     CHECK(distance_to(after.loops[0].line, (1 - t) * wanted[1] + t * wanted[2]) < 0.06);
