@@ -129,6 +129,30 @@ void refuse_unless_on(const Tooth &made, const Vec3 &at, double reach) {
                 "the line cannot be led through " + text_of(at) + ": the tooth is too thin there");
 }
 
+struct Freed {
+  Stretch stretch;
+  Index begin, end;  // of its border
+};
+
+// Frees the border along a stretch of `half` on either side of a point; a shorter one, and `half` with it, where it
+// begins or ends so near to another part of the border that it is taken for that.
+Freed free_around(const Prepared &p, Relining &lining, const cut::Polyline &line, const OnLine &on, double &half) {
+  constexpr double kShorter = 0.85;
+  for (int tries = 4;; half *= kShorter) {
+    Freed f{{on.loop, along(line, on.place, false, half), along(line, on.place, true, half)}, mesh::none, mesh::none};
+    f.begin = lining.border().nearest(line.points[f.stretch.first], p.relief->length, half);
+    f.end = lining.border().nearest(line.points[f.stretch.last], p.relief->length, half);
+    if (f.stretch.first == f.stretch.last || f.begin == mesh::none || f.end == mesh::none || f.begin == f.end)
+      throw Error(Fault::edit_crossing, "the mesh is too coarse for a stretch of " + std::to_string(2 * half) + " mm");
+    try {
+      lining.border().free_stretch(f.begin, f.end, p.relief->length, lining.reach_along(f.stretch));
+      return f;
+    } catch (const Error &) {
+      if (--tries == 0) throw;
+    }
+  }
+}
+
 Tooth drag(const Prepared &p, const Tooth &tooth, const CutEdit &edit, const Surroundings &around) {
   if (edit.points.size() != 2) throw Error(Fault::invalid_argument, "a drag is from one point to another");
   if (edit.amount < 0) throw Error(Fault::invalid_argument, "reach is negative");
@@ -139,18 +163,12 @@ Tooth drag(const Prepared &p, const Tooth &tooth, const CutEdit &edit, const Sur
   const Vec3 from = line.points[on.place].position;
   const double far = (to.position - from).norm();
   if (far < kNoLength) throw Error(Fault::edit_nothing, "the drag is " + std::to_string(far) + " mm long");
-  // Of a short loop not all may move.
-  const double half = std::min(edit.amount > 0 ? edit.amount : std::max(kHalfStretch, far), 0.4 * line.length);
-  const Stretch stretch{on.loop, along(line, on.place, false, half), along(line, on.place, true, half)};
-  if (stretch.first == stretch.last) throw Error(Fault::edit_crossing, "the loop is too short for the stretch");
-
   Relining lining(p, tooth);
   cut::Reroute &border = lining.border();
-  const Index begin = border.nearest(line.points[stretch.first], p.relief->length, half);
-  const Index end = border.nearest(line.points[stretch.last], p.relief->length, half);
-  if (begin == mesh::none || end == mesh::none || begin == end)
-    throw Error(Fault::edit_crossing, "the mesh is too coarse for a stretch of " + std::to_string(2 * half) + " mm");
-  border.free_stretch(begin, end, p.relief->length, lining.reach_along(stretch));
+  // Of a short loop not all may move.
+  double half = std::min(edit.amount > 0 ? edit.amount : std::max(kHalfStretch, far), 0.4 * line.length);
+  const Freed freed = free_around(p, lining, line, on, half);
+  const auto &[stretch, begin, end] = freed;
   const Index by = to.nearest_vertex(s);
   if (by == begin || by == end || border.barred(by) || lining.kind(by) != kFree) refuse_vertex(lining, p, by);
   border.bolt(begin), border.bolt(end);

@@ -7,7 +7,7 @@
 #include "harness.h"
 
 static scan s;
-static uint32_t id; /* of a tooth in the middle of the arch */
+static uint32_t id, neighbour; /* of a tooth in the middle of the arch, and of the one beside it */
 static double centre[3];
 static const double far_away[3] = {500, 500, 500};
 
@@ -167,12 +167,9 @@ static void refusals_change_nothing(void) {
   { /* onto the tooth beside it: a face of that one's own */
     uint32_t seeds = 0, *vertex, vertices = 0;
     double *xyz;
-    ts_click_info info;
-    info.struct_size = sizeof info;
-    CHECK_STATUS(ts_get_click(s.segmentation, 0, &info), TS_OK);
-    CHECK_STATUS(ts_get_tooth_seeds(s.segmentation, info.neighbour, NULL, 0, &seeds), TS_OK);
+    CHECK_STATUS(ts_get_tooth_seeds(s.segmentation, neighbour, NULL, 0, &seeds), TS_OK);
     vertex = must_have(sizeof *vertex * seeds);
-    CHECK_STATUS(ts_get_tooth_seeds(s.segmentation, info.neighbour, vertex, seeds, &seeds), TS_OK);
+    CHECK_STATUS(ts_get_tooth_seeds(s.segmentation, neighbour, vertex, seeds, &seeds), TS_OK);
     CHECK_STATUS(ts_model_get_positions(s.model, NULL, 0, &vertices), TS_OK);
     xyz = must_have(3 * sizeof *xyz * vertices);
     CHECK_STATUS(ts_model_get_positions(s.model, xyz, vertices, &vertices), TS_OK);
@@ -249,14 +246,20 @@ static void a_click_again_applies_them_again(void) {
 
 int main(void) {
   ts_click_info info;
-  uint32_t vertices = 0, n = 0, *of_tooth, i;
-  double *xyz;
+  uint32_t vertices = 0, n = 0, last = 0, *of_tooth, i;
+  double *xyz, *clicks;
   s = make_scan(40000, 1);
   label_centre(&s.arch, s.arch.teeth / 2, centre);
+  /* All teeth, so that what is beside the one looked at is known to be gum. */
+  clicks = proposed_clicks(s.segmentation, &n);
+  CHECK_STATUS(ts_segment_clicks(s.segmentation, clicks, n, NULL, NULL), TS_OK);
+  free(clicks);
+  CHECK_STATUS(ts_get_click_count(s.segmentation, &last), TS_OK);
   if (!CHECK_STATUS(ts_segment_click(s.segmentation, centre, NULL, NULL), TS_OK)) return 1;
   info.struct_size = sizeof info;
-  CHECK_STATUS(ts_get_click(s.segmentation, 0, &info), TS_OK);
+  CHECK_STATUS(ts_get_click(s.segmentation, last, &info), TS_OK);
   id = info.target;
+  neighbour = info.neighbour;
   CHECK_STATUS(ts_model_get_positions(s.model, NULL, 0, &vertices), TS_OK);
   xyz = must_have(3 * sizeof *xyz * vertices);
   CHECK_STATUS(ts_model_get_positions(s.model, xyz, vertices, &vertices), TS_OK);
