@@ -717,7 +717,8 @@ TS_API TS_NODISCARD ts_status ts_cut_draw(ts_segmentation *segmentation, uint32_
                                           uint32_t count, ts_job *job);
 
 /** Moves the whole cut along the surface by `mm`, outwards where positive: to where the distance along the surface from
- *  the cut is that. What comes off or is enclosed by it up to 1 mm^2 is let go.
+ *  the cut is that. What comes off or is enclosed by it up to 1 mm^2, and loops up to 3.5 mm long, are
+ *  let go; open lines may come off the rim of the scan.
  *  Errors: TS_E_EDIT_NOTHING (0), TS_E_EDIT_NO_LOOP (also where feature points of the tooth would be left out),
  *  TS_E_EDIT_ON_TOOTH. */
 TS_API TS_NODISCARD ts_status ts_cut_offset(ts_segmentation *segmentation, uint32_t tooth, double mm, ts_job *job);

@@ -12,6 +12,7 @@ namespace {
 // What smoothing and offsets may leave out without a word, mm^2: a disc of the radius that lines are smoothed by has
 // .1, the occlusal face of the smallest tooth some 25.
 constexpr double kCrumb = 1;
+constexpr double kShort = 3.5;  // mm: around a disc of that area
 
 // Where a preset does not smooth: the default's, without which no line could be led through a point. mm.
 constexpr double kSmooth = 0.2;
@@ -215,13 +216,19 @@ Tooth Relining::finish(Vec<Index> zone, const Vec<cut::CrossedEdge> &kept, const
   among.erase(std::unique(among.begin(), among.end()), among.end());
   Vec<cut::Polyline> lines = cut::contour(
       s_, [&](Index v) { return space.level[v]; }, 0, among);
-  const auto open = [](const auto &all) { return std::ranges::count_if(all, [](const auto &l) { return !l.closed; }); };
-  Index were_open = 0;
-  for (const cut::Polyline *line : lines_) were_open += !line->closed;
-  if (lines.size() != lines_.size() || open(lines) != were_open)
+  // Short loops may go, and open lines may come off the rim of the scan and become one; none may fall into several.
+  const auto is_open = [](const cut::Polyline &l) { return !l.closed; };
+  Index were_open = 0, have_to_stay = 0;
+  for (const cut::Polyline *line : lines_) {
+    were_open += is_open(*line);
+    have_to_stay += line->closed && line->length > kShort;
+  }
+  const auto are_open = std::ranges::count_if(lines, is_open);
+  if (lines.empty() || lines.size() < have_to_stay || lines.size() > lines_.size() || are_open > were_open)
     throw Error(Fault::edit_no_loop, "the cut would be " + std::to_string(lines.size()) + " lines, " +
-                                         std::to_string(open(lines)) + " of them open; it is " +
-                                         std::to_string(lines_.size()));
+                                         std::to_string(are_open) + " of them open; it is " +
+                                         std::to_string(lines_.size()) + ", " + std::to_string(were_open) +
+                                         " of them open");
   join_kept(lines, kept, drawn);
   Tooth made;
   made.group = tooth_.group;
