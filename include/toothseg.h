@@ -119,6 +119,13 @@ typedef enum ts_status {
   TS_E_NO_CHANGE = 605,         /**< what is asked for is so already */
   TS_E_NO_HISTORY = 606,        /**< nothing to undo, or to redo */
 
+  /* 650: edits of a cut */
+  TS_E_EDIT_NOTHING = 650,  /**< the edit would change nothing: a drag to where the point is, a stroke of no length */
+  TS_E_EDIT_ON_TOOTH = 651, /**< the new line would run on another tooth, or take in its feature points */
+  TS_E_EDIT_CROSSING = 652, /**< the new line would cross the rest of the cut, or part the tooth's feature points from it */
+  TS_E_EDIT_OFF_CUT = 653,  /**< the edit does not come near the cut that it is to change */
+  TS_E_EDIT_NO_LOOP = 654,  /**< a loop of the cut would vanish, or become several */
+
   /* 700: numbers of teeth */
   TS_E_TOO_MANY_TEETH = 700, /**< more teeth along the arch than the 16 that a jaw has */
   TS_E_NUMBER_JAW = 701,     /**< a number of the other jaw */
@@ -886,6 +893,78 @@ typedef struct ts_palmer {
 /** `palmer->struct_size` in, the rest out. Errors: TS_E_INVALID_ARGUMENT (no FDI number of a permanent tooth), TS_E_NULL,
  *  TS_E_STRUCT_SIZE. Thread: any.. */
 TS_API TS_NODISCARD ts_status ts_fdi_to_palmer(uint32_t fdi, ts_palmer *palmer);
+/* ---------------------------------------------------------------------------------------------------- edit the cut */
+
+/* Corrections of a tooth's cut by hand, since 0.2.0. What they have in common:
+ *   After each the cut is closed where it was, crosses no triangle twice, and lies on edges of the mesh; faces, vertices,
+ *   area, warnings, gradient, concavity and confidence of the tooth are those of the new cut. A face that the new cut
+ *   crosses belongs to the tooth with more than half of its area within; faces further away stay. The iso-value stays that
+ *   of the click. Other teeth are not changed: where two come to overlap, ts_get_labels decides.
+ *   The edits of a tooth are kept. When it is separated again by another click they are applied to the new cut, in their
+ *   order; one that cannot be is dropped, which the log and ts_get_cut_edits say.
+ *   Each needs the segmentation to itself and takes about as long as a click. `job` may be NULL.
+ *   Errors of all: TS_E_NULL, TS_E_NOT_FOUND (no such tooth), TS_E_INVALID_ARGUMENT (not finite, out of range),
+ *   TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, and the TS_E_EDIT_... that are named. */
+
+/** Takes a point of the cut to another place on the surface. A stretch around the point follows, along the cheapest way
+ *  through the new place in the prices of the minimum cut, which run along the bottoms of valleys; smoothed as the cut
+ *  of a click is. All points outside the stretch stay the same to the bit. On an open loop the ends stay, too.
+ *  `loop`, `point`: index of the point as ts_get_cut gives it; afterwards the points may have other indices. `to`: mm,
+ *  taken to the nearest surface point. `reach`: half the length of the stretch along the cut, mm; 0: as long as the drag,
+ *  and at least 2.5, as far as the minimum cut looks for a valley; at most 0.4 of the loop is taken.
+ *  Errors: TS_E_NOT_FOUND (no such loop or point), TS_E_CLICK_OFF_SURFACE (further than click_reach), TS_E_EDIT_NOTHING
+ *  (under 0.01 mm), TS_E_EDIT_ON_TOOTH, TS_E_EDIT_CROSSING, TS_E_EDIT_NO_LOOP. */
+TS_API TS_NODISCARD ts_status ts_cut_drag(ts_segmentation *segmentation, uint32_t tooth, uint32_t loop, uint32_t point,
+                                          const double to[3], double reach, ts_job *job);
+
+/** Draws a stretch of the cut: `count` points, at least 2, of 3 doubles, mm, taken to the surface and joined by shortest
+ *  ways along it, the first and the last to the points of the cut that are nearest to them and have to be within
+ *  click_reach. Of the two pieces of the loop between these the shorter one is replaced (of an open loop the one between
+ *  them); the other stays the same to the bit. Corners are rounded only as far as the triangle that they lie in. Where
+ *  the stroke crosses itself the loop is left out.
+ *  Errors: TS_E_CLICK_OFF_SURFACE, TS_E_EDIT_OFF_CUT, TS_E_EDIT_NOTHING, TS_E_EDIT_ON_TOOTH, TS_E_EDIT_CROSSING (also
+ *  where no short way along the surface leads from one point to the next), TS_E_EDIT_NO_LOOP. */
+TS_API TS_NODISCARD ts_status ts_cut_draw(ts_segmentation *segmentation, uint32_t tooth, const double *points,
+                                          uint32_t count, ts_job *job);
+
+/** Moves the whole cut along the surface by `mm`, outwards where positive: to where the distance along the surface from
+ *  the cut is that. What comes off or is enclosed by it up to 1 mm^2, and loops up to 3.5 mm long, are
+ *  let go; open lines may come off the rim of the scan.
+ *  Errors: TS_E_EDIT_NOTHING (0), TS_E_EDIT_NO_LOOP (also where feature points of the tooth would be left out),
+ *  TS_E_EDIT_ON_TOOTH. */
+TS_API TS_NODISCARD ts_status ts_cut_offset(ts_segmentation *segmentation, uint32_t tooth, double mm, ts_job *job);
+
+/** Smooths the whole cut: what bends within less than `strength`, mm, over 0 to 2, is straightened. The cut of a click is
+ *  smoothed with smooth_radius already. Errors: TS_E_EDIT_NO_LOOP, TS_E_EDIT_CROSSING. */
+TS_API TS_NODISCARD ts_status ts_cut_smooth(ts_segmentation *segmentation, uint32_t tooth, double strength, ts_job *job);
+
+/** Gives the tooth the cut of its click again and forgets its edits. TS_OK also where there are none. */
+TS_API TS_NODISCARD ts_status ts_cut_reset(ts_segmentation *segmentation, uint32_t tooth);
+
+typedef enum ts_edit_kind {
+  TS_EDIT_DRAG = 1,
+  TS_EDIT_DRAW = 2,
+  TS_EDIT_OFFSET = 3,
+  TS_EDIT_SMOOTH = 4,
+  TS_EDIT_FORCE_INT = 0x7fffffff
+} ts_edit_kind;
+
+/** An edit that is kept. */
+typedef struct ts_cut_edit {
+  ts_edit_kind kind;
+  ts_status status;  /**< TS_OK: it shows in the cut; else why it was dropped when the tooth was last separated again. A
+                          dropped edit is tried again the next time */
+  uint32_t points;   /**< 2 of a drag, those of a stroke, 0 of the others */
+  uint32_t reserved;
+  double amount;     /**< reach, mm or strength as given; 0 of a stroke */
+  double from[3];    /**< of a drag where the cut was taken, of a stroke its first point, mm */
+  double to[3];      /**< of a drag where it was taken to, of a stroke its last point, mm */
+} ts_cut_edit;
+
+/** The edits of a tooth since the click, or the last ts_cut_reset, in their order. Const handle.
+ *  Errors: TS_E_NULL, TS_E_NOT_FOUND, TS_E_BUFFER_TOO_SMALL. */
+TS_API TS_NODISCARD ts_status ts_get_cut_edits(const ts_segmentation *segmentation, uint32_t tooth, ts_cut_edit *edits,
+                                               uint32_t capacity, uint32_t *count);
 
 #ifdef __cplusplus
 }

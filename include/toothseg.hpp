@@ -424,6 +424,28 @@ class Segmentation {
         detail::elements<ts_edge_point>([&](auto... a) { return ts_get_cut(get(), tooth, loop, &cut.info, a...); });
     return cut;
   }
+
+  // Edits of a cut: ts_cut_drag and those after it.
+  void drag_cut(Index tooth, Index loop, Index point, const Point &to, double reach = 0, Job *job = nullptr) {
+    detail::check(ts_cut_drag(get(), tooth, loop, point, to.data(), reach, detail::handle(job)), job);
+  }
+  void draw_cut(Index tooth, const std::vector<Point> &stroke, Job *job = nullptr) {
+    const Point nothing{};
+    detail::check(ts_cut_draw(get(), tooth, stroke.empty() ? nothing.data() : stroke.front().data(),
+                              detail::count32(stroke.size()), detail::handle(job)),
+                  job);
+  }
+  void offset_cut(Index tooth, double mm, Job *job = nullptr) {
+    detail::check(ts_cut_offset(get(), tooth, mm, detail::handle(job)), job);
+  }
+  void smooth_cut(Index tooth, double strength, Job *job = nullptr) {
+    detail::check(ts_cut_smooth(get(), tooth, strength, detail::handle(job)), job);
+  }
+  void reset_cut(Index tooth) { detail::check(ts_cut_reset(get(), tooth)); }
+  std::vector<ts_cut_edit> cut_edits(Index tooth) const {
+    return detail::elements<ts_cut_edit>([&](auto... a) { return ts_get_cut_edits(get(), tooth, a...); });
+  }
+
   std::vector<Index> labels() const {
     return detail::elements<Index>([&](auto... a) { return ts_get_labels(get(), a...); });
   }

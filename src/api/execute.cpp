@@ -91,9 +91,12 @@ Session execute(const Prepared &p, const Session &session, Command &command, con
     case Act::remove: next.remove(command.tooth); break;
     case Act::lock: next.lock(command.tooth, true); break;
     case Act::unlock: next.lock(command.tooth, false); break;
+    case Act::edit:
+    case Act::reset: edit(p, next, command, progress); break;
     case Act::assign_numbers:
     case Act::set_number: next.set_numbers(numbers_after(p, session, command)); break;
   }
+  if (command.act != Act::edit && command.act != Act::reset) edit_again(p, session, next);
   progress(1);
   return next;
 }

@@ -21,7 +21,9 @@ struct Command {
     lock,
     unlock,
     assign_numbers,
-    set_number
+    set_number,
+    edit,
+    reset
   };
 
   Act act = Act::click;
@@ -29,6 +31,7 @@ struct Command {
   Vec<mesh::Vec3> at{};  // mm; of a batch of clicks those that came to something
   tooth::NumberOptions numbering{};
   std::uint32_t number = 0;  // FDI; 0: to be forgotten
+  tooth::CutEdit edit{};
 };
 
 class History {

@@ -103,4 +103,9 @@ tooth::Numbers numbers_after(const Prepared &prepared, const tooth::Session &ses
 void commit(ts_segmentation &s, tooth::Session next, Command command);
 void tell(const ts_segmentation &s);  // the listener, of `changes`
 
+// Edits of cuts that `before` had are made again where the tooth was cut anew; those that cannot be are told in the log.
+void edit_again(const Prepared &prepared, const tooth::Session &before, tooth::Session &next);
+// The tooth of an edit command, edited.
+void edit(const Prepared &prepared, tooth::Session &next, const Command &command, const Progress &progress);
+
 }  // namespace ts::api

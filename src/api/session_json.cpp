@@ -15,7 +15,7 @@ using Set = features::FeatureSet;
 
 constexpr std::uint32_t kFormat = 1;
 constexpr const char *kActs[] = {"click", "clicks", "all", "include", "exclude", "split", "merge", "remove", "lock", "unlock",
-                                 "assign_numbers", "set_number"};
+                                 "assign_numbers", "set_number", "edit", "reset"};
 
 // FNV-1a: tells meshes apart, keeps out nobody.
 struct Hash {
@@ -204,6 +204,13 @@ Command command_of(const Place &step) {
   if (step.has("other")) c.other = step["other"].index(mesh::none);
   if (step.has("at")) c.at = step["at"].points();
   using Act = Command::Act;
+  if (c.act == Act::edit) {
+    const Place edit = step["edit"];
+    c.edit.kind = static_cast<tooth::EditKind>(edit["kind"].integer(4));
+    if (c.edit.kind < tooth::EditKind::drag) wrong(step.name(), "is no edit");
+    c.edit.points = edit["points"].points(), c.edit.amount = edit["amount"].number();
+    if (c.edit.kind == tooth::EditKind::drag && c.edit.points.size() != 2) wrong(step.name(), "is no drag");
+  }
   if (c.act == Act::set_number) c.number = static_cast<std::uint32_t>(step["number"].integer(48));
   if (c.act == Act::assign_numbers) {
     const std::string jaw = step["jaw"].text();
@@ -248,6 +255,8 @@ std::string to_json(const SavedSession &session, const mesh::Surface &surface) {
     if (c.tooth != mesh::none) step["tooth"] = c.tooth;
     if (c.other != mesh::none) step["other"] = c.other;
     if (!c.at.empty()) step["at"] = to_json(c.at);
+    if (c.act == Command::Act::edit)
+      step["edit"] = {{"kind", static_cast<std::uint32_t>(c.edit.kind)}, {"points", to_json(c.edit.points)}, {"amount", c.edit.amount}};
     if (c.act == Command::Act::set_number) step["number"] = c.number;
     if (c.act == Command::Act::assign_numbers) {
       const tooth::NumberOptions &o = c.numbering;

@@ -54,6 +54,11 @@ ts_status status_of(Fault fault) noexcept {
     case Fault::number_jaw: return TS_E_NUMBER_JAW;
     case Fault::number_taken: return TS_E_NUMBER_TAKEN;
     case Fault::number_order: return TS_E_NUMBER_ORDER;
+    case Fault::edit_nothing: return TS_E_EDIT_NOTHING;
+    case Fault::edit_on_tooth: return TS_E_EDIT_ON_TOOTH;
+    case Fault::edit_crossing: return TS_E_EDIT_CROSSING;
+    case Fault::edit_off_cut: return TS_E_EDIT_OFF_CUT;
+    case Fault::edit_no_loop: return TS_E_EDIT_NO_LOOP;
   }
   return TS_E_INTERNAL;
 }
@@ -104,6 +109,11 @@ const char *ts_status_name(ts_status status) {
     TS_NAME(TS_E_NUMBER_JAW);
     TS_NAME(TS_E_NUMBER_TAKEN);
     TS_NAME(TS_E_NUMBER_ORDER);
+    TS_NAME(TS_E_EDIT_NOTHING);
+    TS_NAME(TS_E_EDIT_ON_TOOTH);
+    TS_NAME(TS_E_EDIT_CROSSING);
+    TS_NAME(TS_E_EDIT_OFF_CUT);
+    TS_NAME(TS_E_EDIT_NO_LOOP);
     case TS_STATUS_FORCE_INT: break;
   }
 #undef TS_NAME

@@ -43,6 +43,11 @@ enum class Fault {
   number_jaw,
   number_taken,
   number_order,
+  edit_nothing,
+  edit_on_tooth,
+  edit_crossing,
+  edit_off_cut,
+  edit_no_loop,
 };
 
 class Error : public std::runtime_error {

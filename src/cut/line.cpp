@@ -26,9 +26,10 @@ Vec<geometry::PathStart> set_sides(const Surface &s, Space &space) {
   return mixed;
 }
 
-// Conjugate gradients on the vertices `near`; psi is held elsewhere.
-void smooth_near(const Surface &s, std::span<const double> cotangent, double radius, const Vec<Index> &near,
-                 Space &space) {
+}  // namespace
+
+void smooth_psi(const Surface &s, std::span<const double> cotangent, double radius, std::span<const Index> near,
+                std::span<const Through> through, Space &space) {
   const std::size_t n = near.size();
   const double r2 = radius * radius;
   SparseArray<double> &psi = space.level;
@@ -57,19 +58,45 @@ void smooth_near(const Surface &s, std::span<const double> cotangent, double rad
     start[i + 1] = link.size();
     x[i] = psi[v];
   }
+  // psi^2 at the points that the line is to pass through, weighed so that a hundredth of what would be off stays off.
+  constexpr double kPull = 100;
+  struct Pull {
+    Index at[3];
+    double weight[3], strength;
+  };
+  Vec<Pull> pulls;
+  for (const Through &t : through) {
+    Pull pull{{}, {t.weight[0], t.weight[1], t.weight[2]}, 0};
+    bool free = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      pull.at[k] = place[s.triangle[t.face][k]];
+      free = free && pull.at[k] != mesh::none;
+    }
+    if (!free) continue;  // beside what is held: that decides
+    for (std::size_t k = 0; k < 3; ++k) pull.strength = std::max(pull.strength, kPull * diagonal[pull.at[k]]);
+    pulls.push_back(pull);
+  }
   place.clear();
+  Vec<double> scale = diagonal;
+  for (const Pull &pull : pulls)
+    for (std::size_t k = 0; k < 3; ++k) scale[pull.at[k]] += pull.strength * pull.weight[k] * pull.weight[k];
   const auto product = [&](const Vec<double> &a, Vec<double> &b) {
     for (std::size_t i = 0; i < n; ++i) {
       double sum = 0;
       for (std::size_t k = start[i]; k < start[i + 1]; ++k) sum += link[k].weight * a[link[k].to];
       b[i] = diagonal[i] * a[i] - sum;
     }
+    for (const Pull &pull : pulls) {
+      double value = 0;
+      for (std::size_t k = 0; k < 3; ++k) value += pull.weight[k] * a[pull.at[k]];
+      for (std::size_t k = 0; k < 3; ++k) b[pull.at[k]] += pull.strength * pull.weight[k] * value;
+    }
   };
   product(x, ap);
   double rho = 0;
   for (std::size_t i = 0; i < n; ++i) {
     residual[i] = right[i] - ap[i];
-    p[i] = z[i] = diagonal[i] > 0 ? residual[i] / diagonal[i] : 0;
+    p[i] = z[i] = scale[i] > 0 ? residual[i] / scale[i] : 0;
     rho += residual[i] * z[i];
   }
   const double goal = rho * 1e-10;
@@ -81,7 +108,7 @@ void smooth_near(const Surface &s, std::span<const double> cotangent, double rad
     for (std::size_t i = 0; i < n; ++i) {
       x[i] += rho / pap * p[i];
       residual[i] -= rho / pap * ap[i];
-      z[i] = diagonal[i] > 0 ? residual[i] / diagonal[i] : 0;
+      z[i] = scale[i] > 0 ? residual[i] / scale[i] : 0;
       next += residual[i] * z[i];
     }
     for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + next / rho * p[i];
@@ -90,10 +117,8 @@ void smooth_near(const Surface &s, std::span<const double> cotangent, double rad
   for (std::size_t i = 0; i < n; ++i) psi.set(near[i], x[i]);
 }
 
-// Gives the vertices of `near` on one side that cannot be reached on that side from the vertices that `start` names, or
-// from beyond `near`, to the other side.
-void drop_unreached(const Surface &s, const Vec<Index> &near, bool negative, std::span<const Index> start,
-                    Space &space) {
+double drop_unreached(const Surface &s, std::span<const Index> near, bool negative, std::span<const Index> start,
+                      Space &space) {
   constexpr double kFlip = 1e-3;
   constexpr std::uint8_t kBeyond = 0, kNear = 1, kSeen = 2;
   SparseArray<double> &psi = space.level;
@@ -115,12 +140,15 @@ void drop_unreached(const Surface &s, const Vec<Index> &near, bool negative, std
     stack.pop_back();
     for (const Index e : s.vertex_edges[v]) enter(s.other_end(e, v));
   }
+  double area = 0;
   for (const Index v : near)
-    if (state[v] == kNear && on_side(v)) psi.set(v, negative ? kFlip : -kFlip);
+    if (state[v] == kNear && on_side(v)) {
+      psi.set(v, negative ? kFlip : -kFlip);
+      area += s.vertex_area[v];
+    }
   state.clear();
+  return area;
 }
-
-}  // namespace
 
 Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> length, std::span<const double> cotangent,
                           double radius, std::span<const Index> seeds, Space &space) {
@@ -138,7 +166,7 @@ Vec<Polyline> smooth_line(const Surface &surface, std::span<const double> length
   }
   space.faces.clear();
   std::sort(around.begin(), around.end());
-  if (radius > 0) smooth_near(surface, cotangent, radius, near, space);
+  if (radius > 0) smooth_psi(surface, cotangent, radius, near, {}, space);
   drop_unreached(surface, near, true, seeds, space);
   drop_unreached(surface, near, false, outer, space);
   Vec<Polyline> lines = contour(

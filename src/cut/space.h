@@ -6,6 +6,7 @@
 #include "base/sparse_array.h"
 #include "cut/max_flow.h"
 #include "cut/polyline.h"
+#include "geometry/marcher.h"
 #include "geometry/paths.h"
 
 namespace ts::cut {
@@ -22,6 +23,7 @@ struct Space {
   SparseArray<Index> place;         // of a face or a vertex in a list
   SparseArray<double> level;        // a vertex
   geometry::PathFinder paths;
+  geometry::Marcher march;  // takes its memory when a cut is first edited
   MaxFlow flow;
 
   explicit Space(const Surface &s)
@@ -30,7 +32,8 @@ struct Space {
         marks(s.vertices(), 0),
         place(std::max(s.faces(), s.vertices()), mesh::none),
         level(s.vertices(), 1),
-        paths(s) {}
+        paths(s),
+        march(s) {}
 
   static std::size_t bytes(const Surface &s) {
     return s.faces() * 2 + s.vertices() * (1 + sizeof(double) + sizeof(double) + 2 * sizeof(Index)) +

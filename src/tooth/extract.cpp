@@ -53,18 +53,6 @@ double confidence(double inside, const Tooth &tooth) {
   return std::sqrt(std::clamp(inside, 0.0, 1.0) * seam * (tooth.warnings ? 0.5 : 1));
 }
 
-void add_cuts(const Prepared &p, Tooth &tooth, cut::Space &space) {
-  bool open = false;
-  for (cut::Polyline &line : cut::smooth_line(*p.surface, p.relief->length, p.relief->cotangent,
-                                              p.options.smooth_radius, tooth.seeds, space)) {
-    open = open || !line.closed;
-    tooth.loops.push_back({std::move(line), tooth.iso, 0, 0});
-  }
-  for (Cut &c : tooth.loops) c.concavity = cut::mean_concavity(p.relief->concavity, c.line);
-  if (open) tooth.warnings |= Warning::open_at_border;
-  if (tooth.loops.size() != 1) tooth.warnings |= Warning::several_loops;
-}
-
 }  // namespace
 
 Fields::Fields(const Prepared &p, const Pick &pick, bool whole) : prepared_(p), target_(solve(p, pick, pick.target)) {
@@ -170,18 +158,35 @@ Tooth extract_tooth(const Prepared &p, Fields &fields, const Selection &selectio
   tooth.faces = cut::faces_of(inside);
   if (tooth.faces.empty() || tooth.faces.size() == surface.faces())
     throw Error(Fault::no_cut, "the field of group " + std::to_string(group) + " separates nothing");
-  tooth.vertices = cut::vertices_of(surface, tooth.faces, *space);
+  for (cut::Polyline &line :
+       cut::smooth_line(surface, p.relief->length, p.relief->cotangent, p.options.smooth_radius, tooth.seeds, *space))
+    tooth.loops.push_back({std::move(line), tooth.iso, 0, 0});
+  take_stock(p, tooth, *space);
+  set_confidence(p, fields, is_target, tooth);
+  return tooth;
+}
+
+void take_stock(const Prepared &p, Tooth &tooth, cut::Space &space) {
+  const mesh::Surface &surface = *p.surface;
+  tooth.vertices = cut::vertices_of(surface, tooth.faces, space);
   tooth.area = cut::area_of(surface, tooth.faces);
+  tooth.warnings = 0;
   if (tooth.area / p.widened < p.options.area_min) tooth.warnings |= Warning::area_small;
   if (tooth.area / p.widened > p.options.area_max) tooth.warnings |= Warning::area_large;
   if (p.live.size() < 2) tooth.warnings |= Warning::no_neighbour;
-  if (group >= p.found) tooth.warnings |= Warning::made_by_click;
-  if (!p.rejected[group].empty()) tooth.warnings |= Warning::seed_rejected;
-  tooth.warnings |=
-      warnings_of_place(p, group, tooth.vertices) | warnings_of_shape(surface, tooth.faces, p.occlusal, p.inside_out);
-  add_cuts(p, tooth, *space);
+  if (tooth.group >= p.found) tooth.warnings |= Warning::made_by_click;
+  if (!p.rejected[tooth.group].empty()) tooth.warnings |= Warning::seed_rejected;
+  tooth.warnings |= warnings_of_place(p, tooth.group, tooth.vertices) |
+                    warnings_of_shape(surface, tooth.faces, p.occlusal, p.inside_out);
+  for (Cut &c : tooth.loops) {
+    c.concavity = cut::mean_concavity(p.relief->concavity, c.line);
+    if (!c.line.closed) tooth.warnings |= Warning::open_at_border;
+  }
+  if (tooth.loops.size() != 1) tooth.warnings |= Warning::several_loops;
+}
+
+void set_confidence(const Prepared &p, Fields &fields, bool is_target, Tooth &tooth) {
   tooth.confidence = confidence(mean_inside(p, fields, is_target, tooth.faces), tooth);
-  return tooth;
 }
 
 void measure_cuts(const Prepared &p, Fields &fields, Tooth &tooth) {

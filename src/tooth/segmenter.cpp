@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "tooth/edit_cut.h"
 #include "tooth/extract.h"
 #include "tooth/propose.h"
 #include "tooth/separate.h"
@@ -46,6 +47,16 @@ void attempt(Segmenter::Outcome &outcome, Work &&work) {
     outcome.fault = e.fault();
     outcome.message = e.what();
   }
+}
+
+// What is measured on the field of the click that separated it.
+void measure(const Prepared &p, const Click &of, Tooth &tooth) {
+  Pick picked;
+  picked.target = of.target;
+  picked.neighbour = of.neighbour;
+  Fields fields(p, picked, !own_field_decides(p.options));
+  set_confidence(p, fields, tooth.group == of.target, tooth);
+  measure_cuts(p, fields, tooth);
 }
 
 }  // namespace
@@ -123,6 +134,20 @@ Vec<Segmenter::Outcome> Segmenter::clicks(std::span<const mesh::SurfacePoint> at
     now = outcomes[i].click->among;
   }
   return outcomes;
+}
+
+Tooth Segmenter::edit(const Tooth &tooth, const CutEdit &edit, const Surroundings &around, const Click &of,
+                      const Among &among) const {
+  Tooth made = apply_edit(among ? *among : impl_->prepared, tooth, edit, around);
+  measure(of.among ? *of.among : impl_->prepared, of, made);
+  return made;
+}
+
+Tooth Segmenter::edit_again(const Tooth &automatic, std::span<EditRecord> edits, const Surroundings &around,
+                            const Click &of, const Among &among) const {
+  Tooth made = apply_edits(among ? *among : impl_->prepared, automatic, edits, around);
+  measure(of.among ? *of.among : impl_->prepared, of, made);
+  return made;
 }
 
 ClickDetails Segmenter::details(const Click &click) const {

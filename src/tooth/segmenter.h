@@ -31,6 +31,9 @@ struct Memory {
 };
 
 struct Prepared;
+struct CutEdit;
+struct EditRecord;
+struct Surroundings;
 // The groups that a click is made among where clicks before have made some; null: those of the features.
 using Among = std::shared_ptr<const Prepared>;
 
@@ -94,6 +97,13 @@ class Segmenter {
   // Several clicks in parallel, with the outcome of the same clicks one after the other.
   Vec<Outcome> clicks(std::span<const mesh::SurfacePoint> at, std::span<const Index> separated,
                       const Progress &progress = {}, const Among &among = {}) const;
+
+  // A tooth of a click with its cut edited (edit_cut.h), all figures set; `among` is that of the latest click.
+  Tooth edit(const Tooth &tooth, const CutEdit &edit, const Surroundings &around, const Click &of,
+             const Among &among = {}) const;
+  // The same with all edits that can be applied; the others are marked as dropped.
+  Tooth edit_again(const Tooth &automatic, std::span<EditRecord> edits, const Surroundings &around, const Click &of,
+                   const Among &among = {}) const;
 
   ClickDetails details(const Click &click) const;
   ClickView view(const Click &click, const Progress &progress = {}) const;

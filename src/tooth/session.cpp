@@ -87,6 +87,26 @@ Index Session::click_of(Index group) const {
   return entry ? entry->click : mesh::none;
 }
 
+void Session::replace(Index group, Tooth tooth, Vec<EditRecord> edits) {
+  Entry &entry = *std::ranges::lower_bound(entries_, group, {}, &Entry::group);
+  Entry next = entry;
+  if (!next.automatic) next.automatic = next.tooth;
+  next.tooth = edits.empty() ? next.automatic : std::make_shared<const Tooth>(std::move(tooth));
+  if (edits.empty()) next.automatic.reset();
+  next.edits = std::move(edits);
+  entry = std::move(next);
+}
+
+const Tooth *Session::automatic(Index group) const {
+  const Entry *entry = find(group);
+  if (!entry) return nullptr;
+  return entry->automatic ? entry->automatic.get() : entry->tooth.get();
+}
+
+const Vec<EditRecord> &Session::edits(Index group) const {
+  return find(group)->edits;
+}
+
 // Labels; contested(winner, loser, face) for each face that two teeth hold, for as many pairs as hold it.
 template <class Contested>
 Vec<std::uint32_t> Session::resolve(const Contested &contested) const {

@@ -2,6 +2,7 @@
 // then it is there for those after it.
 #pragma once
 
+#include "tooth/edit_cut.h"
 #include "tooth/numbers.h"
 #include "tooth/segmenter.h"
 
@@ -43,6 +44,12 @@ class Session {
   Index click_of(Index group) const;             // the click that separated it last
   const Numbers &numbers() const { return numbers_; }
 
+  // Puts an edited tooth in the place of one that is there, with all edits that led to it; none: the automatic one
+  // again.
+  void replace(Index group, Tooth tooth, Vec<EditRecord> edits);
+  const Tooth *automatic(Index group) const;        // as the click cut it; nullptr if not separated
+  const Vec<EditRecord> &edits(Index group) const;  // since that; of one that is there
+
   // A label a model face: 0 or group + 1. A face of two teeth belongs to the one that is locked, or, where neither or
   // both are, to the one with the nearest seed.
   Vec<std::uint32_t> labels() const;
@@ -56,7 +63,9 @@ class Session {
  private:
   struct Entry {
     Index group, click;
-    std::shared_ptr<const Tooth> tooth;  // shared by the sessions before and after a change
+    std::shared_ptr<const Tooth> tooth;           // shared by the sessions before and after a click
+    std::shared_ptr<const Tooth> automatic = {};  // where it has been edited
+    Vec<EditRecord> edits = {};
     bool locked = false;
   };
   const Entry *find(Index group) const;  // nullptr if not separated

@@ -47,6 +47,11 @@ static void status_names_and_values(void) {
       STATUS(TS_E_CLICK_ON_GINGIVA, 601),
       STATUS(TS_E_NO_CUT, 602),
       STATUS(TS_E_SOLVER, 603),
+      STATUS(TS_E_EDIT_NOTHING, 650),
+      STATUS(TS_E_EDIT_ON_TOOTH, 651),
+      STATUS(TS_E_EDIT_CROSSING, 652),
+      STATUS(TS_E_EDIT_OFF_CUT, 653),
+      STATUS(TS_E_EDIT_NO_LOOP, 654),
 #undef STATUS
   };
   size_t i;
