@@ -1,6 +1,7 @@
 #include "cut/reroute.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/error.h"
 

@@ -80,6 +80,14 @@ void the_whole_way() {
   const toothseg::Cut cut = segmentation.cut(info.target);
   CHECK(cut.points.size() == cut.info.points && cut.info.length > 0);
 
+  segmentation.offset_cut(info.target, 0.2);
+  segmentation.smooth_cut(info.target, 0.1);
+  CHECK(segmentation.tooth(info.target).area > tooth.area);
+  CHECK(segmentation.cut_edits(info.target).size() == 2);
+  CHECK(status_thrown([&] { segmentation.drag_cut(info.target, 99, 0, {0, 0, 0}); }) == TS_E_NOT_FOUND);
+  CHECK(status_thrown([&] { segmentation.draw_cut(info.target, {}); }) == TS_E_INVALID_ARGUMENT);
+  segmentation.reset_cut(info.target);
+  CHECK(segmentation.tooth(info.target).area == tooth.area);
   CHECK(segmentation.field(0).size() == report.vertices && segmentation.histogram(0).size() == 50);
   const std::vector<ts_contour_info> contours = segmentation.contours(0);
   CHECK(contours.size() == 100);
