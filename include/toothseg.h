@@ -97,6 +97,7 @@ typedef enum ts_status {
   TS_E_FILE_COUNT = 304,     /**< a count that the file's size contradicts */
   TS_E_FILE_SYNTAX = 305,    /**< text where a number or keyword belongs; the message has the line */
   TS_E_FILE_WRITE = 306,     /**< cannot be written; nothing is left half written */
+  TS_E_FILE_NEWER = 307,     /**< a session of a later format than this library reads */
 
   /* 400: the mesh */
   TS_E_MESH_EMPTY = 400,        /**< no face, or none that is not degenerate */
@@ -114,6 +115,9 @@ typedef enum ts_status {
   TS_E_CLICK_ON_GINGIVA = 601,  /**< the click lies on gingiva or base, not on a tooth */
   TS_E_NO_CUT = 602,            /**< no contour of the field separates the tooth */
   TS_E_SOLVER = 603,            /**< the linear system could not be factorised */
+  TS_E_LOCKED = 604,            /**< the tooth is locked, and the call would change it */
+  TS_E_NO_CHANGE = 605,         /**< what is asked for is so already */
+  TS_E_NO_HISTORY = 606,        /**< nothing to undo, or to redo */
 
   /* 700: numbers of teeth */
   TS_E_TOO_MANY_TEETH = 700, /**< more teeth along the arch than the 16 that a jaw has */
@@ -680,6 +684,123 @@ typedef struct ts_memory_info {
 
 /** Errors: TS_E_NULL, TS_E_STRUCT_SIZE. */
 TS_API TS_NODISCARD ts_status ts_get_memory(const ts_segmentation *segmentation, ts_memory_info *info);
+
+/* --------------------------------------------------------------------------------------------------------- session */
+
+/* A segmentation is a session: each of the calls below, and each click, is one step that ts_undo takes back. All that take
+ * a non-const segmentation are strong: a call that fails changes nothing, and is no step. */
+
+/** Every tooth without a click of the caller's: the clicks of ts_propose_clicks until none is left, as one step. Teeth that
+ *  stand already stay. Errors: TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage; a tooth for which no cut is found is told by
+ *  ts_get_review. */
+TS_API TS_NODISCARD ts_status ts_segment_all(ts_segmentation *segmentation, ts_job *job);
+
+/** A tooth that wants a look. */
+typedef struct ts_review_item {
+  uint32_t tooth;          /**< id of its group */
+  uint32_t separated;      /**< 0: no cut has been made for this group so far */
+  uint32_t warnings;       /**< sum of ts_tooth_warning */
+  uint32_t reserved;
+  double confidence;       /**< of the tooth, 0 to 1; 0 where it is not separated */
+  double group_confidence; /**< that the group is exactly one tooth; 1 for groups made by hand */
+} ts_review_item;
+
+/** Teeth with a confidence under 0.9 or a warning, and groups without a tooth, those that need it most first. Of teeth
+ *  above 0.9 the share that is right is in docs/accuracy.md. */
+TS_API TS_NODISCARD ts_status ts_get_review(const ts_segmentation *segmentation, ts_review_item *items, uint32_t capacity,
+                                            uint32_t *count);
+
+/** "This too": a disc of seed_radius around `position` (mm, within click_reach of the surface) is held for the tooth, which
+ *  is cut anew, as are separated teeth on which the disc lies. On a feature point of another tooth that point goes over to
+ *  this one. Errors: TS_E_CLICK_OFF_SURFACE; TS_E_CLICK_ON_GINGIVA on what is gingiva for certain (gingiva_distance);
+ *  TS_E_NO_CHANGE where the point is held for the tooth already; TS_E_NO_CUT where no cut is left, or on the last
+ *  point of another tooth; TS_E_LOCKED; TS_E_NOT_FOUND; TS_E_CANCELLED; usage. */
+TS_API TS_NODISCARD ts_status ts_tooth_include(ts_segmentation *segmentation, uint32_t tooth, const double position[3],
+                                               ts_job *job);
+
+/** "Not this": the disc is held for the tooth that the field there is most of after this one, or for the gingiva where that
+ *  has more. A feature point of the tooth that lies there is no longer used. Errors: as ts_tooth_include. */
+TS_API TS_NODISCARD ts_status ts_tooth_exclude(ts_segmentation *segmentation, uint32_t tooth, const double position[3],
+                                               ts_job *job);
+
+/** Two teeth of one: of its points those nearer to `part` than to `keep` go to a new group, and a disc at each of the two
+ *  positions is held for its own. `second` out, may be NULL: id of the new tooth. Errors: as ts_tooth_include. */
+TS_API TS_NODISCARD ts_status ts_tooth_split(ts_segmentation *segmentation, uint32_t tooth, const double keep[3],
+                                             const double part[3], ts_job *job, uint32_t *second);
+
+/** One tooth of two: the points of `other` are held for `tooth`, and `other` is no tooth any more. Errors: TS_E_NO_CUT,
+ *  TS_E_NO_CHANGE where both are the same, TS_E_LOCKED, TS_E_NOT_FOUND, TS_E_CANCELLED, usage. */
+TS_API TS_NODISCARD ts_status ts_tooth_merge(ts_segmentation *segmentation, uint32_t tooth, uint32_t other, ts_job *job);
+
+/** The tooth is as if it had not been separated; its group stays. Errors: TS_E_LOCKED, TS_E_NOT_FOUND, usage. */
+TS_API TS_NODISCARD ts_status ts_tooth_remove(ts_segmentation *segmentation, uint32_t tooth);
+
+/** `locked` 1: nothing changes the tooth until it is unlocked (0): a click on it is refused (TS_E_LOCKED), and as a
+ *  neighbour it is left as it is. Errors: TS_E_NO_CHANGE where it is so already, TS_E_NOT_FOUND, usage. */
+TS_API TS_NODISCARD ts_status ts_tooth_set_locked(ts_segmentation *segmentation, uint32_t tooth, uint32_t locked);
+TS_API TS_NODISCARD ts_status ts_tooth_get_locked(const ts_segmentation *segmentation, uint32_t tooth, uint32_t *locked);
+
+/** Faces that two teeth hold. In ts_get_labels they go to the tooth that is locked, or, where neither or both are, to the
+ *  one whose nearest seed is nearer to the middle of the face; ts_get_tooth_faces has them for both. */
+typedef struct ts_overlap {
+  uint32_t winner, loser; /**< ids of the teeth */
+  uint32_t faces;         /**< of the model */
+  uint32_t reserved;
+  double area;            /**< mm^2 */
+} ts_overlap;
+
+TS_API TS_NODISCARD ts_status ts_get_overlaps(const ts_segmentation *segmentation, ts_overlap *overlaps, uint32_t capacity,
+                                              uint32_t *count);
+
+/** Takes back the last step, or brings it again: the teeth, clicks and groups are then, byte for byte, what they were. A
+ *  new step forgets what was taken back. Errors: TS_E_NO_HISTORY, usage. */
+TS_API TS_NODISCARD ts_status ts_undo(ts_segmentation *segmentation);
+TS_API TS_NODISCARD ts_status ts_redo(ts_segmentation *segmentation);
+
+typedef struct ts_history_info {
+  uint32_t struct_size;
+  uint32_t undo;     /**< steps that can be taken back */
+  uint32_t redo;     /**< steps that can be brought again */
+  uint32_t complete; /**< 1: back to the beginning; 0: the limit has dropped the oldest */
+  uint64_t bytes;    /**< about what the steps keep */
+  uint64_t limit;
+} ts_history_info;
+
+TS_API TS_NODISCARD ts_status ts_get_history(const ts_segmentation *segmentation, ts_history_info *info);
+
+/** How many bytes the steps may keep; the oldest are dropped over it, at once. 256 MiB unless set. */
+TS_API TS_NODISCARD ts_status ts_set_history_limit(ts_segmentation *segmentation, uint64_t bytes);
+
+/** Ids of the teeth that the last step, ts_undo or ts_redo changed: separated, cut anew, taken away, locked or unlocked. */
+TS_API TS_NODISCARD ts_status ts_get_changes(const ts_segmentation *segmentation, uint32_t *teeth, uint32_t capacity,
+                                             uint32_t *count);
+
+/** Called on the thread of the call that changed something, after the change, with what ts_get_changes tells; `teeth` lives
+ *  as long as the callback. It may read the segmentation, and must not change or destroy it. */
+typedef void (*ts_change_fn)(void *user, const uint32_t *teeth, uint32_t count);
+
+/** `callback` NULL: none. Errors: TS_E_NULL. */
+TS_API TS_NODISCARD ts_status ts_set_change_callback(ts_segmentation *segmentation, ts_change_fn callback, void *user);
+
+/** The session as JSON (docs/session-file.md): a hash of the mesh, features, options, every step and how many of them are
+ *  taken back; no surface, no tooth. The two-call idiom; `text` is UTF-8 without a final 0. */
+TS_API TS_NODISCARD ts_status ts_session_write(const ts_segmentation *segmentation, char *text, uint32_t capacity,
+                                               uint32_t *count);
+
+/** The same into a file, which is there whole or, where the call fails, as it was. Errors: TS_E_FILE_WRITE, usage. */
+TS_API TS_NODISCARD ts_status ts_session_save(const ts_segmentation *segmentation, const char *path);
+
+/** Goes through the steps of a session again, on the model that it was of; what comes out goes on as the one that was
+ *  written would. `features` out, may be NULL: as they were, to be destroyed by the caller. Only steps that can still be
+ *  undone when the limit is 256 MiB can be. Errors: TS_E_MISMATCH where the model is another mesh, or what the library makes
+ *  of a step is no longer what it was; TS_E_FILE_NEWER, TS_E_FILE_FORMAT (no session), TS_E_FILE_TRUNCATED,
+ *  TS_E_FILE_SYNTAX (with the place), TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. */
+TS_API TS_NODISCARD ts_status ts_session_read(const ts_model *model, const char *text, size_t size, ts_job *job,
+                                              ts_features **features, ts_segmentation **out);
+
+/** The same from a file. Errors: TS_E_FILE_OPEN, and as ts_session_read. */
+TS_API TS_NODISCARD ts_status ts_session_load(const ts_model *model, const char *path, ts_job *job, ts_features **features,
+                                              ts_segmentation **out);
 
 /* --------------------------------------------------------------------------------------------------------- numbers */
 

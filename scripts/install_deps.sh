@@ -3,7 +3,7 @@
 # when all are there. As root or through sudo.
 set -euo pipefail
 what=${1:-build}
-packages="g++ cmake ninja-build libeigen3-dev libtbb-dev"
+packages="g++ cmake ninja-build libeigen3-dev libtbb-dev nlohmann-json3-dev"
 case $what in
   build) ;;
   demo) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core" ;;

@@ -210,6 +210,19 @@ class Segmentation:
             out.append(np.vstack([xyz, xyz[:1]]))
         return out
 
+    def all(self):
+        self.library.call("ts_segment_all", self.handle, None)
+
+    def correct(self, what, tooth, position):
+        """`what`: include or exclude."""
+        self.library.call("ts_tooth_" + what, self.handle, u32(tooth), (f64 * 3)(*position), None)
+
+    def undo(self):
+        self.library.call("ts_undo", self.handle)
+
+    def tooth_of_label(self, label):
+        return next(int(t) for t in self.teeth() if self.tooth(int(t)).label == label)
+
     def times(self):
         out = PrepareTimes(struct_size=c.sizeof(PrepareTimes))
         self.library.call("ts_get_prepare_times", self.handle, c.byref(out))

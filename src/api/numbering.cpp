@@ -1,5 +1,5 @@
 #include "api/guard.h"
-#include "api/ids.h"
+#include "api/segmentation_handle.h"
 #include "tooth/prepared.h"
 
 using namespace ts::api;
@@ -70,7 +70,7 @@ Row row_of(const ts_segmentation &s) {
   return row;
 }
 
-Index group_of(const ts_segmentation &s, const ts::Vec<Index> &groups, uint32_t id) {
+Index group_with_id(const ts_segmentation &s, const ts::Vec<Index> &groups, uint32_t id) {
   const auto it = std::ranges::find_if(groups, [&](Index g) { return id_of(s, g) == id; });
   if (it == groups.end()) throw Error(Fault::not_found, "no tooth " + std::to_string(id) + " along the arch");
   return *it;
@@ -103,7 +103,7 @@ ts_status ts_set_number(ts_segmentation *segmentation, uint32_t tooth, uint32_t 
     need(segmentation, "segmentation");
     const AllocatorScope scope(segmentation->prepared->context().allocator);
     const Row row = row_of(*segmentation);
-    const Index group = group_of(*segmentation, row.groups, tooth);
+    const Index group = group_with_id(*segmentation, row.groups, tooth);
     Numbers next = segmentation->numbers;
     if (fdi == 0)
       next.forget(row.measured, row.groups, group);

@@ -1,5 +1,5 @@
 #include "api/guard.h"
-#include "api/ids.h"
+#include "api/segmentation_handle.h"
 
 using namespace ts::api;
 using ts::AllocatorScope;
@@ -31,22 +31,6 @@ const Click &find_click(const ts_segmentation *s, uint32_t click) {
     throw Error(Fault::not_found,
                 "no click " + std::to_string(click) + ", there are " + std::to_string(s->session.clicks()));
   return s->session.click(click);
-}
-
-Index group_of(const ts_segmentation *s, uint32_t id) {
-  need(s, "segmentation");
-  const auto &groups = s->prepared->features->set.groups();
-  const auto it = std::ranges::find(groups, id, &features::FeatureSet::Group::id);
-  Index group = static_cast<Index>(it - groups.begin());
-  if (it == groups.end() && id >= first_made_id(*s)) group += id - first_made_id(*s);
-  if ((it == groups.end() && id < first_made_id(*s)) || !s->session.tooth(group))
-    throw Error(Fault::not_found, "no tooth " + std::to_string(id) + " has been separated");
-  return group;
-}
-
-const Tooth &find_tooth(const ts_segmentation *s, uint32_t id) {
-  const Index group = group_of(s, id);  // looks first whether there is an s
-  return *s->session.tooth(group);
 }
 
 std::shared_ptr<const ClickView> view_of(const ts_segmentation *s, uint32_t click) {

@@ -93,11 +93,6 @@ tooth::Options inner_options(const ts_segment_options &o) {
   return d;
 }
 
-mesh::SurfacePoint surface_point(const Prepared &p, const double position[3]) {
-  need_finite(position, "position");
-  return p.features->model->nearest({position[0], position[1], position[2]});
-}
-
 }  // namespace
 }  // namespace ts::api
 
@@ -125,7 +120,7 @@ ts_status ts_segmentation_create(const ts_features *features, const ts_segment_o
         prepared->surface(), features->state->set.features(), o, *context.executor, progress);
     progress(1);
     ts::tooth::Session session(prepared->surface());
-    *out = new ts_segmentation{std::move(prepared), std::move(session), {}, {}, {}};
+    *out = new ts_segmentation{std::move(prepared), std::move(session)};
   });
 }
 
@@ -137,13 +132,11 @@ ts_status ts_segment_click(ts_segmentation *segmentation, const double position[
   return guarded(__func__, [&] {
     need(segmentation, "segmentation");
     need(position, "position");
-    const Prepared &p = *segmentation->prepared;
-    const AllocatorScope scope(p.context().allocator);
-    const ts::Progress progress = progress_of(job);
-    ts::tooth::Session next = segmentation->session;
-    next.add(p.segmenter->click(surface_point(p, position), next.teeth(), progress, next.among()));
-    progress(1);
-    segmentation->session = std::move(next);
+    need_finite(position, "position");
+    const AllocatorScope scope(segmentation->prepared->context().allocator);
+    Command command{Command::Act::click, ts::mesh::none, ts::mesh::none, {Vec3(position[0], position[1], position[2])}};
+    ts::tooth::Session next = execute(*segmentation->prepared, segmentation->session, command, progress_of(job));
+    commit(*segmentation, std::move(next), std::move(command));
     if (click) *click = segmentation->session.clicks() - 1;
   });
 }
@@ -153,33 +146,26 @@ ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positio
   return guarded(__func__, [&] {
     need(segmentation, "segmentation");
     if (count) need(positions, "positions");
-    for (uint32_t i = 0; i < count; ++i) need_finite(positions + 3 * std::size_t{i}, "position");
+    Command command;
+    command.act = Command::Act::clicks;
+    for (uint32_t i = 0; i < count; ++i) {
+      const double *const at = positions + 3 * std::size_t{i};
+      need_finite(at, "position");
+      command.at.emplace_back(at[0], at[1], at[2]);
+    }
     const Prepared &p = *segmentation->prepared;
     const AllocatorScope scope(p.context().allocator);
-    const ts::Progress progress = progress_of(job);
-    ts::tooth::Session next = segmentation->session;
+    ts::Vec<ts::tooth::Segmenter::Outcome> outcomes;
+    ts::tooth::Session next = execute(p, segmentation->session, command, progress_of(job), &outcomes);
     ts::Vec<ts_status> status;
-    // So many at a time: a batch of any size takes the memory of these.
-    constexpr uint32_t most = 256;
-    for (uint32_t first = 0; first < count; first += most) {
-      const uint32_t end = std::min(count, first + most);
-      ts::Vec<ts::mesh::SurfacePoint> at;
-      for (uint32_t i = first; i < end; ++i) at.push_back(surface_point(p, positions + 3 * std::size_t{i}));
-      const ts::Progress part =
-          progress.part(static_cast<double>(first) / count, static_cast<double>(end) / count, "clicks");
-      for (auto &outcome : p.segmenter->clicks(at, next.teeth(), part, next.among())) {
-        status.push_back(outcome.click ? TS_OK : status_of(outcome.fault));
-        if (outcome.click) {
-          next.add(std::move(*outcome.click));
-          continue;
-        }
-        const std::string what = "click " + std::to_string(status.size() - 1) + ": " + outcome.message;
-        keep_message("ts_segment_clicks", what.c_str());
-        p.context().write_log(TS_LOG_WARNING, what);
-      }
+    for (const auto &outcome : outcomes) {
+      status.push_back(outcome.click ? TS_OK : status_of(outcome.fault));
+      if (outcome.click) continue;
+      const std::string what = "click " + std::to_string(status.size() - 1) + ": " + outcome.message;
+      keep_message("ts_segment_clicks", what.c_str());
+      p.context().write_log(TS_LOG_WARNING, what);
     }
-    progress(1);
-    segmentation->session = std::move(next);
+    if (!command.at.empty()) commit(*segmentation, std::move(next), std::move(command));
     if (statuses) std::copy(status.begin(), status.end(), statuses);
   });
 }
@@ -189,8 +175,9 @@ ts_status ts_propose_clicks(const ts_segmentation *segmentation, double *positio
   return guarded(__func__, [&] {
     need(segmentation, "segmentation");
     const AllocatorScope scope(segmentation->prepared->context().allocator);
-    copy_out(segmentation->prepared->segmenter->propose_clicks(segmentation->session.teeth()), 3, positions, capacity,
-             count, [](const Vec3 &p, double *to) { std::copy_n(p.data(), 3, to); });
+    const ts::tooth::Session &session = segmentation->session;
+    copy_out(segmentation->prepared->segmenter->propose_clicks(session.teeth(), session.among()), 3, positions,
+             capacity, count, [](const Vec3 &p, double *to) { std::copy_n(p.data(), 3, to); });
   });
 }
 

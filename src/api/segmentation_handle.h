@@ -1,8 +1,9 @@
 #pragma once
 
 #include "api/features_handle.h"
+#include "api/history.h"
 #include "tooth/numbers.h"
-#include "tooth/session.h"
+#include "toothseg.h"
 
 namespace ts::api {
 
@@ -29,6 +30,10 @@ class ViewCache {
     click_ = click;
     return view_ = std::move(view);
   }
+  void forget() {
+    const std::lock_guard lock(guard_);
+    view_.reset();
+  }
 
  private:
   mutable std::mutex guard_;
@@ -51,10 +56,20 @@ class DetailsCache {
     known_[click] = details;
     return details;
   }
+  void forget() {
+    const std::lock_guard lock(guard_);
+    known_.clear();
+  }
 
  private:
   mutable std::mutex guard_;
   mutable Vec<std::optional<tooth::ClickDetails>> known_;
+};
+
+// Who is told what changed.
+struct Listener {
+  ts_change_fn call = nullptr;
+  void *user = nullptr;
 };
 
 }  // namespace ts::api
@@ -62,7 +77,29 @@ class DetailsCache {
 struct ts_segmentation {
   std::unique_ptr<const ts::api::Prepared> prepared;
   ts::tooth::Session session;
-  ts::api::ViewCache views;
-  ts::api::DetailsCache details;
-  ts::tooth::Numbers numbers;
+  ts::api::ViewCache views{};
+  ts::api::DetailsCache details{};
+  ts::api::History history{};
+  ts::Vec<uint32_t> changes{};  // ids, by the last call that changed something
+  ts::api::Listener listener{};
+  ts::tooth::Numbers numbers{};
 };
+
+namespace ts::api {
+
+// Ids, as the caller has them, and groups. The groups of the features have theirs; those made afterwards follow.
+uint32_t id_of(const ts_segmentation &s, mesh::Index group);
+mesh::Index group_of(const ts_segmentation *s, uint32_t id);  // of a tooth that stands separated; throws not_found
+const tooth::Tooth &find_tooth(const ts_segmentation *s, uint32_t id);
+
+// What the command makes of the session. `outcomes`: of each click of a batch, nullptr where there are none. Clicks that
+// came to nothing are taken out of the command.
+tooth::Session execute(const Prepared &prepared, const tooth::Session &session, Command &command,
+                       const Progress &progress, Vec<tooth::Segmenter::Outcome> *outcomes = nullptr);
+
+// Puts it in the place of the present one, remembers how it came and tells the listener. Strong: where it throws,
+// nothing has changed.
+void commit(ts_segmentation &s, tooth::Session next, Command command);
+void tell(const ts_segmentation &s);  // the listener, of `changes`
+
+}  // namespace ts::api

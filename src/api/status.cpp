@@ -35,6 +35,7 @@ ts_status status_of(Fault fault) noexcept {
     case Fault::file_count: return TS_E_FILE_COUNT;
     case Fault::file_syntax: return TS_E_FILE_SYNTAX;
     case Fault::file_write: return TS_E_FILE_WRITE;
+    case Fault::file_newer: return TS_E_FILE_NEWER;
     case Fault::mesh_empty: return TS_E_MESH_EMPTY;
     case Fault::mesh_non_finite: return TS_E_MESH_NON_FINITE;
     case Fault::mesh_index_range: return TS_E_MESH_INDEX_RANGE;
@@ -46,6 +47,9 @@ ts_status status_of(Fault fault) noexcept {
     case Fault::click_on_gingiva: return TS_E_CLICK_ON_GINGIVA;
     case Fault::no_cut: return TS_E_NO_CUT;
     case Fault::solver: return TS_E_SOLVER;
+    case Fault::locked: return TS_E_LOCKED;
+    case Fault::no_change: return TS_E_NO_CHANGE;
+    case Fault::no_history: return TS_E_NO_HISTORY;
     case Fault::too_many_teeth: return TS_E_TOO_MANY_TEETH;
     case Fault::number_jaw: return TS_E_NUMBER_JAW;
     case Fault::number_taken: return TS_E_NUMBER_TAKEN;
@@ -81,6 +85,7 @@ const char *ts_status_name(ts_status status) {
     TS_NAME(TS_E_FILE_COUNT);
     TS_NAME(TS_E_FILE_SYNTAX);
     TS_NAME(TS_E_FILE_WRITE);
+    TS_NAME(TS_E_FILE_NEWER);
     TS_NAME(TS_E_MESH_EMPTY);
     TS_NAME(TS_E_MESH_NON_FINITE);
     TS_NAME(TS_E_MESH_INDEX_RANGE);
@@ -92,6 +97,9 @@ const char *ts_status_name(ts_status status) {
     TS_NAME(TS_E_CLICK_ON_GINGIVA);
     TS_NAME(TS_E_NO_CUT);
     TS_NAME(TS_E_SOLVER);
+    TS_NAME(TS_E_LOCKED);
+    TS_NAME(TS_E_NO_CHANGE);
+    TS_NAME(TS_E_NO_HISTORY);
     TS_NAME(TS_E_TOO_MANY_TEETH);
     TS_NAME(TS_E_NUMBER_JAW);
     TS_NAME(TS_E_NUMBER_TAKEN);

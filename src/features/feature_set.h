@@ -26,7 +26,30 @@ class FeatureSet {
     Index points;
   };
 
+  // All that a set is, to be kept in a file.
+  struct State {
+    Vec3 occlusal = Vec3::Zero();
+    Vec<Vec3> arch;
+    bool inside_out = false;
+    Looks looks;
+    Vec<Point> points;
+    Vec<Group> groups;
+    Index next_point = 0, next_group = 0;  // ids of the next ones
+  };
+
   FeatureSet() = default;
+  explicit FeatureSet(State state)
+      : occlusal_(state.occlusal),
+        arch_(std::move(state.arch)),
+        inside_out_(state.inside_out),
+        looks_(state.looks),
+        points_(std::move(state.points)),
+        groups_(std::move(state.groups)),
+        next_point_(state.next_point),
+        next_group_(state.next_group) {}
+  State state() const {
+    return {occlusal_, arch_, inside_out_, looks_, points_, groups_, next_point_, next_group_};
+  }
   explicit FeatureSet(const Features &found);
 
   const Vec3 &occlusal() const { return occlusal_; }

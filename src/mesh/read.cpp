@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
 
+#include "base/whole_file.h"
 #include "mesh/text.h"
 
 namespace ts::mesh {
@@ -25,27 +24,6 @@ bool is_text(std::string_view begin, bool or_zero) {
 
 std::string_view without_byte_order_mark(std::string_view text) {
   return text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
-}
-
-Vec<std::byte> bytes_of(const std::string &path) {
-  const std::filesystem::path native(std::u8string(path.begin(), path.end()));
-  std::error_code code;
-  if (std::filesystem::is_directory(native, code)) throw Error(Fault::file_open, "'" + path + "' is a directory");
-  std::ifstream in(native, std::ios::binary);
-  if (!in) throw Error(Fault::file_open, "cannot open '" + path + "'");
-  Vec<std::byte> bytes;
-  std::size_t size = 0;
-  const std::uintmax_t expected = std::filesystem::file_size(native, code);
-  bytes.resize(code ? std::size_t{1} << 20 : static_cast<std::size_t>(expected) + 1);
-  for (;;) {
-    in.read(reinterpret_cast<char *>(bytes.data() + size), static_cast<std::streamsize>(bytes.size() - size));
-    size += static_cast<std::size_t>(in.gcount());
-    if (in.eof()) break;
-    if (!in) throw Error(Fault::file_open, "cannot read '" + path + "' beyond byte " + std::to_string(size));
-    bytes.resize(2 * bytes.size());
-  }
-  bytes.resize(size);
-  return bytes;
 }
 
 }  // namespace
@@ -83,7 +61,7 @@ RawMesh read_mesh(std::span<const std::byte> file, Format format, Progress progr
 }
 
 RawMesh load_mesh(const std::string &path, Progress progress) {
-  const Vec<std::byte> file = bytes_of(path);
+  const Vec<std::byte> file = read_whole_file(path);
   return read_mesh(file, Format::automatic, progress);
 }
 

@@ -26,8 +26,54 @@ Vec<Index> disc_at(const Prepared &p, const mesh::SurfacePoint &at, Index neares
   return disc;
 }
 
-// A copy in which the disc around the click is a node of `group`, which may be the next.
-std::shared_ptr<Prepared> with_node(const Prepared &p, const mesh::SurfacePoint &at, Index group) {
+void put(Vec<Index> &sorted, std::span<const Index> items) {
+  const auto middle = sorted.insert(sorted.end(), items.begin(), items.end());
+  std::inplace_merge(sorted.begin(), middle, sorted.end());
+}
+
+bool has_point(const Prepared &p, Index group) {
+  for (Index n = 0; n < p.nodes.size(); ++n)
+    if (p.nodes.group[n] == group && !p.outlier[n]) return true;
+  return false;
+}
+
+// Along the arch as long as it has a point in use.
+void settle_in_row(Prepared &p, Index group) {
+  const auto there = std::ranges::find(p.live, group);
+  const bool is = there != p.live.end(), ought = has_point(p, group);
+  if (is && !ought) p.live.erase(there);
+  if (is || !ought) return;
+  Vec<Vec3> row;
+  for (const Index g : p.live) row.push_back(centre_of(p, g));
+  p.live.insert(p.live.begin() + static_cast<std::ptrdiff_t>(features::place_in_row(row, centre_of(p, group))), group);
+}
+
+// A node in use, or not, for its group.
+void take_up(Prepared &p, Index node) {
+  const Index group = p.nodes.group[node];
+  p.group_at[p.sites.point[p.nodes.point[node]]] = group;
+  put(p.seeds[group], p.nodes.vertices[node]);
+  settle_in_row(p, group);
+}
+void put_down(Prepared &p, Index node) {
+  const Index group = p.nodes.group[node];
+  p.group_at[p.sites.point[p.nodes.point[node]]] = mesh::none;
+  std::erase_if(p.seeds[group], [&](Index v) { return p.nodes.of_vertex[v] == node; });
+}
+
+}  // namespace
+
+Index add_group(Prepared &p) {
+  const Index group = p.groups++;
+  p.seeds.emplace_back();
+  p.rejected.emplace_back();
+  p.width.push_back(0);
+  p.along.push_back(Vec3::Zero());
+  p.nodes.groups = p.sites.groups = p.groups;
+  return group;
+}
+
+void add_node(Prepared &p, const mesh::SurfacePoint &at, Index group) {
   const mesh::Surface &s = *p.surface;
   const Index nearest = *std::ranges::min_element(s.triangle[at.face], {},
                                                   [&](Index v) { return (s.position[v] - at.position).squaredNorm(); });
@@ -36,47 +82,61 @@ std::shared_ptr<Prepared> with_node(const Prepared &p, const mesh::SurfacePoint 
       throw Error(Fault::click_on_gingiva, "the click lies on gingiva for certain, or on a point that was freed");
     throw Error(Fault::no_cut, "the click lies on a constraint of a tooth that could not be cut around it");
   }
-
-  auto made = std::make_shared<Prepared>(p);
   const Vec<Index> disc = disc_at(p, at, nearest);
-  const auto node = static_cast<Index>(made->nodes.size());
-  for (const Index v : disc) made->nodes.of_vertex[v] = node;
-  made->nodes.vertices.item.insert(made->nodes.vertices.item.end(), disc.begin(), disc.end());
-  made->nodes.vertices.start.push_back(static_cast<Index>(made->nodes.vertices.item.size()));
-  made->nodes.group.push_back(group);
-  made->nodes.point.push_back(static_cast<Index>(made->sites.point.size()));
-  made->outlier.push_back(0);
-  made->added.push_back(disc);
-  made->border = std::make_shared<const field::Border>(*made->solver, made->added);
-  made->sites.point.push_back(nearest);
-  made->sites.group.push_back(group);
-  made->group_at[nearest] = group;
-  if (group == made->groups) {
-    ++made->groups;
-    made->seeds.emplace_back();
-    made->rejected.emplace_back();
-    made->width.push_back(0);
-    made->along.push_back(Vec3::Zero());
-    made->nodes.groups = made->sites.groups = made->groups;
+  const auto node = static_cast<Index>(p.nodes.size());
+  for (const Index v : disc) p.nodes.of_vertex[v] = node;
+  p.nodes.vertices.item.insert(p.nodes.vertices.item.end(), disc.begin(), disc.end());
+  p.nodes.vertices.start.push_back(static_cast<Index>(p.nodes.vertices.item.size()));
+  p.nodes.group.push_back(group);
+  p.outlier.push_back(0);
+  p.added.push_back(disc);
+  if (group == field::gingiva_group) {
+    p.nodes.point.push_back(mesh::none);
+    return;
   }
-  Vec<Index> &seeds = made->seeds[group];
-  const auto middle = seeds.insert(seeds.end(), disc.begin(), disc.end());
-  std::inplace_merge(seeds.begin(), middle, seeds.end());
-  return made;
+  p.nodes.point.push_back(static_cast<Index>(p.sites.point.size()));
+  p.sites.point.push_back(nearest);
+  p.sites.group.push_back(group);
+  take_up(p, node);
 }
 
-}  // namespace
+void hold_added(Prepared &p) {
+  p.border = std::make_shared<const field::Border>(*p.solver, p.added);
+}
+
+void regroup(Prepared &p, Index node, Index group) {
+  const Index old = p.nodes.group[node];
+  if (!p.outlier[node]) put_down(p, node);
+  p.nodes.group[node] = group;
+  p.sites.group[p.nodes.point[node]] = group;
+  if (!p.outlier[node]) take_up(p, node);
+  settle_in_row(p, old);
+}
+
+void let_go(Prepared &p, Index node) {
+  put_down(p, node);
+  p.outlier[node] = 1;
+  settle_in_row(p, p.nodes.group[node]);
+}
+
+void hold(Prepared &p, Index node) {
+  p.outlier[node] = 0;
+  take_up(p, node);
+}
 
 std::shared_ptr<const Prepared> make_group(const Prepared &p, const mesh::SurfacePoint &at) {
-  const std::shared_ptr<Prepared> made = with_node(p, at, p.groups);
-  Vec<Vec3> row;
-  for (const Index g : p.live) row.push_back(centre_of(p, g));
-  made->live.insert(made->live.begin() + static_cast<std::ptrdiff_t>(features::place_in_row(row, at.position)), p.groups);
+  auto made = std::make_shared<Prepared>(p);
+  const Index group = add_group(*made);
+  add_node(*made, at, group);
+  hold_added(*made);
   return made;
 }
 
 std::shared_ptr<const Prepared> extend_group(const Prepared &p, const mesh::SurfacePoint &at, Index group) {
-  return with_node(p, at, group);
+  auto extended = std::make_shared<Prepared>(p);
+  add_node(*extended, at, group);
+  hold_added(*extended);
+  return extended;
 }
 
 }  // namespace ts::tooth

@@ -1,4 +1,4 @@
-// What clicks add to the groups: a crown without a feature point has none, and the click on it is one.
+// Changes to whom the points are held for, on a copy of what clicks share.
 #pragma once
 
 #include "mesh/surface_point.h"
@@ -11,7 +11,15 @@ namespace ts::tooth {
 // gingiva or another group is held.
 std::shared_ptr<const Prepared> make_group(const Prepared &prepared, const mesh::SurfacePoint &at);
 
-// `prepared` with the disc held for `group` as well. Throws as make_group.
+// `prepared` with the disc held for `group`, which may be gingiva_group, as well. Throws as make_group.
 std::shared_ptr<const Prepared> extend_group(const Prepared &prepared, const mesh::SurfacePoint &at, Index group);
+
+// In place, for several changes at once.
+Index add_group(Prepared &prepared);  // without a point yet
+void add_node(Prepared &prepared, const mesh::SurfacePoint &at, Index group);
+void hold_added(Prepared &prepared);  // after the last of these
+void regroup(Prepared &prepared, Index node, Index group);
+void let_go(Prepared &prepared, Index node);  // as an outlier
+void hold(Prepared &prepared, Index node);    // an outlier again
 
 }  // namespace ts::tooth

@@ -59,12 +59,12 @@ Segmenter &Segmenter::operator=(Segmenter &&) noexcept = default;
 
 Click Segmenter::click(const mesh::SurfacePoint &at, std::span<const Index> separated, const Progress &progress,
                        const Among &among) const {
-  return one_click(among ? *among : impl_->prepared, among, at, separated, progress);
+  return one_click(prepared(among), among, at, separated, progress);
 }
 
 Vec<Segmenter::Outcome> Segmenter::clicks(std::span<const mesh::SurfacePoint> at, std::span<const Index> separated,
                                           const Progress &progress, const Among &among) const {
-  const Prepared &p = among ? *among : impl_->prepared;
+  const Prepared &p = prepared(among);
   struct Attempt {
     Pick faced, used;  // before and after what stands separated is looked at
     double ms = 0;
@@ -126,7 +126,7 @@ Vec<Segmenter::Outcome> Segmenter::clicks(std::span<const mesh::SurfacePoint> at
 }
 
 ClickDetails Segmenter::details(const Click &click) const {
-  const Prepared &p = click.among ? *click.among : impl_->prepared;
+  const Prepared &p = prepared(click.among);
   Pick picked;
   picked.target = click.target;
   picked.neighbour = click.neighbour;
@@ -135,7 +135,7 @@ ClickDetails Segmenter::details(const Click &click) const {
 }
 
 ClickView Segmenter::view(const Click &click, const Progress &progress) const {
-  const Prepared &p = click.among ? *click.among : impl_->prepared;
+  const Prepared &p = prepared(click.among);
   progress(0);
   Pick picked;
   picked.target = click.target;
@@ -168,8 +168,11 @@ ClickView Segmenter::view(const Click &click, const Progress &progress) const {
   return view;
 }
 
-Vec<Vec3> Segmenter::propose_clicks(std::span<const Index> separated) const {
-  return tooth::propose_clicks(impl_->prepared, separated);
+Vec<Vec3> Segmenter::propose_clicks(std::span<const Index> separated, const Among &among) const {
+  return tooth::propose_clicks(prepared(among), separated);
+}
+const Prepared &Segmenter::prepared(const Among &among) const {
+  return among ? *among : impl_->prepared;
 }
 const Options &Segmenter::options() const {
   return impl_->prepared.options;

@@ -99,7 +99,10 @@ class Segmenter {
   ClickView view(const Click &click, const Progress &progress = {}) const;
 
   // The fewest clicks that cover every group not in `separated`: points on the surface.
-  Vec<Vec3> propose_clicks(std::span<const Index> separated = {}) const;
+  Vec<Vec3> propose_clicks(std::span<const Index> separated = {}, const Among &among = {}) const;
+
+  // What a correction (correct.h) is made on.
+  const Prepared &prepared(const Among &among) const;
 
   const Options &options() const;
   const PrepareTimes &times() const;

@@ -61,62 +61,6 @@ bool beside(const Prepared &p, const Tooth &tooth, const mesh::SurfacePoint &at)
                              [&](Index v) { return (p.surface->position[v] - at.position).norm() < kEdge; });
 }
 
-// From the groups to the teeth.
-Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picked, double pick_ms,
-              const Progress &progress) {
-  Stopwatch watch;
-  Click click;
-  click.at = at;
-  click.target = picked.target;
-  click.neighbour = picked.neighbour;
-  click.target_distance = picked.target_distance;
-  click.ms.pick = pick_ms;
-  progress.part(0, 0.4, "field")(0);
-
-  Fields fields(p, picked, !own_field_decides(p.options));
-  const double nodes_ms = watch.lap();
-  progress.part(0.4, 0.5, "cut")(0);
-
-  // Each tooth's level and cut are one task where they need nothing of the other's.
-  const bool own = own_field_decides(p.options);
-  Selection selection;
-  if (!own) selection = select_cuts(p, picked, fields);
-  double cut_ms[2] = {watch.lap(), 0};
-  progress.part(0.5, 1, "label")(0);
-
-  Tooth both[2];
-  bool found = false;
-  p.executor->each(picked.neighbour == mesh::none ? 1 : 2, [&](std::size_t k) {
-    const bool target = k == 0;
-    if (own) {
-      Stopwatch level;
-      (target ? selection.target_iso : selection.neighbour_iso) = own_iso(p, picked, fields, target);
-      cut_ms[k] += level.lap();
-    }
-    try {
-      both[k] = extract_tooth(p, fields, selection, target ? picked.target : picked.neighbour, target);
-      if (!target) found = true;
-    } catch (const Error &e) {
-      if (target || e.fault() != Fault::no_cut) throw;  // the tooth clicked stands without its neighbour
-    }
-  });
-  click.target_iso = selection.target_iso;
-  click.neighbour_iso = selection.neighbour_iso;
-  for (int k = 0; k < 1 + found; ++k) {
-    measure_cuts(p, fields, both[k]);
-    click.teeth.push_back(std::move(both[k]));
-  }
-  const double first = cut_ms[0], second = cut_ms[1];
-  click.ms.cut = p.executor->threads() > 1 ? std::max(first, second) : first + second;
-  click.ms.total = pick_ms + nodes_ms + (own ? 0 : first) + watch.lap();
-  click.ms.label = std::max(0.0, click.ms.total - pick_ms - nodes_ms - click.ms.cut);
-  // The field is solved where the cut looks at it; the two teeth may do so at the same time.
-  click.ms.field = nodes_ms + fields.milliseconds();
-  click.field_bytes = fields.bytes();
-  progress(1);
-  return click;
-}
-
 // The tooth of a group made of the click, and its neighbour.
 Click separate_made(const Prepared &p, const mesh::SurfacePoint &at, std::span<const Index> separated, double pick_ms,
                     const Progress &progress) {
@@ -176,6 +120,61 @@ Click separate_extended(const Prepared &p, const mesh::SurfacePoint &at, const C
 
 }  // namespace
 
+Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picked, double pick_ms,
+              const Progress &progress, Wanted wanted) {
+  Stopwatch watch;
+  Click click;
+  click.at = at;
+  click.target = picked.target;
+  click.neighbour = picked.neighbour;
+  click.target_distance = picked.target_distance;
+  click.ms.pick = pick_ms;
+  progress.part(0, 0.4, "field")(0);
+
+  Fields fields(p, picked, !own_field_decides(p.options));
+  const double nodes_ms = watch.lap();
+  progress.part(0.4, 0.5, "cut")(0);
+
+  // Each tooth's level and cut are one task where they need nothing of the other's.
+  const bool own = own_field_decides(p.options);
+  Selection selection;
+  if (!own) selection = select_cuts(p, picked, fields);
+  double cut_ms[2] = {watch.lap(), 0};
+  progress.part(0.5, 1, "label")(0);
+
+  Tooth both[2];
+  bool found = false;
+  p.executor->each(picked.neighbour == mesh::none || wanted == Wanted::target ? 1 : 2, [&](std::size_t k) {
+    const bool target = k == 0;
+    if (own) {
+      Stopwatch level;
+      (target ? selection.target_iso : selection.neighbour_iso) = own_iso(p, picked, fields, target);
+      cut_ms[k] += level.lap();
+    }
+    try {
+      both[k] = extract_tooth(p, fields, selection, target ? picked.target : picked.neighbour, target);
+      if (!target) found = true;
+    } catch (const Error &e) {
+      if (target || e.fault() != Fault::no_cut) throw;  // the tooth clicked stands without its neighbour
+    }
+  });
+  click.target_iso = selection.target_iso;
+  click.neighbour_iso = selection.neighbour_iso;
+  for (int k = 0; k < 1 + found; ++k) {
+    measure_cuts(p, fields, both[k]);
+    click.teeth.push_back(std::move(both[k]));
+  }
+  const double first = cut_ms[0], second = cut_ms[1];
+  click.ms.cut = p.executor->threads() > 1 ? std::max(first, second) : first + second;
+  click.ms.total = pick_ms + nodes_ms + (own ? 0 : first) + watch.lap();
+  click.ms.label = std::max(0.0, click.ms.total - pick_ms - nodes_ms - click.ms.cut);
+  // The field is solved where the cut looks at it; the two teeth may do so at the same time.
+  click.ms.field = nodes_ms + fields.milliseconds();
+  click.field_bytes = fields.bytes();
+  progress(1);
+  return click;
+}
+
 Pick take(const Prepared &p, const mesh::SurfacePoint &at) {
   if (at.distance > p.options.click_reach)
     throw Error(Fault::click_off_surface, "the click is " + std::to_string(at.distance) + " mm from the surface");
@@ -223,6 +222,19 @@ Click separate_by_evidence(const Prepared &p, const mesh::SurfacePoint &at, std:
     if (!none || !beside(p, first.teeth[0], at) || on_gingiva(p, at)) throw;
     return first;
   }
+}
+
+Index strongest_beside(const Prepared &p, const mesh::SurfacePoint &at, Index group) {
+  const Index other = strongest_at(p, at, group);
+  if (other == mesh::none) return field::gingiva_group;
+  if (p.nodes.gingiva == mesh::none) return other;
+  const Eigen::VectorXd share = shares_at(p, at);
+  double of_other = 0, of_gingiva = 0;
+  for (Index n = 0; n < p.nodes.size(); ++n) {
+    if (p.nodes.group[n] == other && !p.outlier[n]) of_other += share[n];
+    if (p.nodes.group[n] == field::gingiva_group) of_gingiva += share[n];
+  }
+  return of_gingiva > of_other ? field::gingiva_group : other;
 }
 
 }  // namespace ts::tooth

@@ -307,18 +307,35 @@ static void dump_tooth(bytes *out, const ts_segmentation *s, uint32_t tooth) {
   *out = b;
 }
 
-bytes dump_segmentation(const ts_segmentation *segmentation) {
-  bytes b = {NULL, 0, 0};
-  uint32_t clicks = 0, teeth = 0, i;
+static void put_teeth(bytes *out, const ts_segmentation *segmentation) {
+  bytes b = *out;
+  uint32_t teeth = 0, i, locked;
   uint32_t *ids;
-  need(ts_get_click_count(segmentation, &clicks), "count");
-  for (i = 0; i < clicks; ++i) dump_click(&b, segmentation, i);
   need(ts_get_teeth(segmentation, NULL, 0, &teeth), "teeth");
   ids = must_have(sizeof *ids * teeth);
   need(ts_get_teeth(segmentation, ids, teeth, &teeth), "teeth");
-  for (i = 0; i < teeth; ++i) dump_tooth(&b, segmentation, ids[i]);
+  for (i = 0; i < teeth; ++i) {
+    dump_tooth(&b, segmentation, ids[i]);
+    need(ts_tooth_get_locked(segmentation, ids[i], &locked), "locked");
+    PUT(locked);
+  }
   free(ids);
 #define LABELS(p, capacity, count) ts_get_labels(segmentation, p, capacity, count)
   PUT_ALL(uint32_t, 1, LABELS);
+  *out = b;
+}
+
+bytes dump_teeth(const ts_segmentation *segmentation) {
+  bytes b = {NULL, 0, 0};
+  put_teeth(&b, segmentation);
+  return b;
+}
+
+bytes dump_segmentation(const ts_segmentation *segmentation) {
+  bytes b = {NULL, 0, 0};
+  uint32_t clicks = 0, i;
+  need(ts_get_click_count(segmentation, &clicks), "count");
+  for (i = 0; i < clicks; ++i) dump_click(&b, segmentation, i);
+  put_teeth(&b, segmentation);
   return b;
 }

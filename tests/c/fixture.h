@@ -53,6 +53,7 @@ typedef struct bytes {
 void put_bytes(bytes *b, const void *data, size_t size);
 bytes dump_features(const ts_features *features);
 bytes dump_segmentation(const ts_segmentation *segmentation);
+bytes dump_teeth(const ts_segmentation *segmentation); /* of these its teeth and labels, which is quick */
 int same_bytes(const bytes *a, const bytes *b);
 void free_bytes(bytes *b);
 

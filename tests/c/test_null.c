@@ -290,6 +290,57 @@ static void every_function_is_here(void) {
   }
 }
 
+static void session_functions(void) {
+  ts_review_item item;
+  ts_overlap overlap;
+  ts_history_info history;
+  char text = 0;
+  uint32_t index = 5, id = 0, n = 0, ids[64];
+  history.struct_size = sizeof history;
+  REQUIRE_STATUS(ts_segment_all(s.segmentation, NULL), TS_OK);
+  REQUIRE_STATUS(ts_get_teeth(s.segmentation, ids, 64, &n), TS_OK);
+  REQUIRE(n > 0);
+  id = ids[0];
+  begin();
+  REFUSED(ts_segment_all, (NULL, NULL));
+  REFUSED(ts_get_review, (NULL, &item, 1, &count));
+  REFUSED(ts_get_review, (s.segmentation, NULL, 0, NULL));
+  REFUSED(ts_tooth_include, (NULL, id, at, NULL));
+  REFUSED(ts_tooth_include, (s.segmentation, id, NULL, NULL));
+  REFUSED(ts_tooth_exclude, (NULL, id, at, NULL));
+  REFUSED(ts_tooth_exclude, (s.segmentation, id, NULL, NULL));
+  REFUSED(ts_tooth_split, (NULL, id, at, at, NULL, &count));
+  REFUSED(ts_tooth_split, (s.segmentation, id, NULL, at, NULL, &count));
+  REFUSED(ts_tooth_split, (s.segmentation, id, at, NULL, NULL, &count));
+  REFUSED(ts_tooth_merge, (NULL, id, id, NULL));
+  REFUSED(ts_tooth_remove, (NULL, id));
+  REFUSED(ts_tooth_set_locked, (NULL, id, 1));
+  REFUSED(ts_tooth_get_locked, (NULL, id, &count));
+  REFUSED(ts_tooth_get_locked, (s.segmentation, id, NULL));
+  REFUSED(ts_get_overlaps, (NULL, &overlap, 1, &count));
+  REFUSED(ts_get_overlaps, (s.segmentation, NULL, 0, NULL));
+  REFUSED(ts_undo, (NULL));
+  REFUSED(ts_redo, (NULL));
+  REFUSED(ts_get_history, (NULL, &history));
+  REFUSED(ts_get_history, (s.segmentation, NULL));
+  REFUSED(ts_set_history_limit, (NULL, 0));
+  REFUSED(ts_get_changes, (NULL, &index, 1, &count));
+  REFUSED(ts_get_changes, (s.segmentation, NULL, 0, NULL));
+  REFUSED(ts_set_change_callback, (NULL, NULL, NULL));
+  REFUSED(ts_session_write, (NULL, &text, 1, &count));
+  REFUSED(ts_session_write, (s.segmentation, NULL, 0, NULL));
+  REFUSED(ts_session_save, (NULL, "session.json"));
+  REFUSED(ts_session_save, (s.segmentation, NULL));
+  REFUSED(ts_session_read, (NULL, &text, 1, NULL, NULL, (ts_segmentation **)&out));
+  REFUSED(ts_session_read, (s.model, NULL, 1, NULL, NULL, (ts_segmentation **)&out));
+  REFUSED(ts_session_read, (s.model, &text, 1, NULL, NULL, NULL));
+  REFUSED(ts_session_load, (NULL, "session.json", NULL, NULL, (ts_segmentation **)&out));
+  REFUSED(ts_session_load, (s.model, NULL, NULL, NULL, (ts_segmentation **)&out));
+  REFUSED(ts_session_load, (s.model, "session.json", NULL, NULL, NULL));
+  ACCEPTED(ts_set_change_callback, (s.segmentation, NULL, NULL));
+  CHECK(index == 5);
+}
+
 int main(void) {
   s = make_scan(10000, 1);
   RUN(setup_functions);
@@ -297,6 +348,7 @@ int main(void) {
   RUN(feature_functions);
   RUN(segmentation_functions);
   RUN(result_functions);
+  RUN(session_functions);
   RUN(number_functions);
   RUN(every_function_is_here);
   free_scan(&s);

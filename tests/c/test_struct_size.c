@@ -111,6 +111,9 @@ static ts_status get_memory(void *o) {
 static ts_status get_times(void *o) {
   return ts_get_prepare_times(s.segmentation, o);
 }
+static ts_status get_history(void *o) {
+  return ts_get_history(s.segmentation, o);
+}
 static ts_status get_cut(void *o) {
   uint32_t n;
   return ts_get_cut(s.segmentation, tooth_id, 0, o, NULL, 0, &n);
@@ -133,6 +136,7 @@ static const struct {
                {"ts_tooth_info", NULL, get_tooth, sizeof(ts_tooth_info)},
                {"ts_cut_info", NULL, get_cut, sizeof(ts_cut_info)},
                {"ts_memory_info", NULL, get_memory, sizeof(ts_memory_info)},
+               {"ts_history_info", NULL, get_history, sizeof(ts_history_info)},
                {"ts_prepare_times", NULL, get_times, sizeof(ts_prepare_times)},
                {"ts_number_info", NULL, get_number, sizeof(ts_number_info)},
                {"ts_jaw_info", NULL, get_jaw, sizeof(ts_jaw_info)},

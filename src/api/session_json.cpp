@@ -1,0 +1,283 @@
+#include "api/session_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+
+namespace ts::api {
+namespace {
+
+using nlohmann::json;
+using mesh::Index;
+using mesh::Vec3;
+using Set = features::FeatureSet;
+
+constexpr std::uint32_t kFormat = 1;
+constexpr const char *kActs[] = {"click", "clicks", "all", "include", "exclude", "split", "merge", "remove", "lock", "unlock"};
+
+// FNV-1a: tells meshes apart, keeps out nobody.
+struct Hash {
+  std::uint64_t value = 14695981039346656037u;
+  void add(const void *data, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i)
+      value = (value ^ static_cast<const unsigned char *>(data)[i]) * std::uint64_t{1099511628211u};
+  }
+};
+
+std::uint64_t hash_of(const mesh::Surface &s) {
+  Hash h;
+  h.add(s.position.data(), s.position.size() * sizeof s.position[0]);
+  h.add(s.triangle.data(), s.triangle.size() * sizeof s.triangle[0]);
+  return h.value;
+}
+
+// Calls field(name, member) for each option.
+template <class Options, class Field>
+void each_option(Options &o, const Field &field) {
+  field("preset", o.preset), field("weights", o.weights), field("background", o.background);
+  field("cut_rule", o.cut_rule), field("contours", o.contours), field("histogram_bins", o.histogram_bins);
+  field("points_per_group", o.points_per_group), field("alpha", o.alpha), field("beta", o.beta);
+  field("gamma", o.gamma), field("theta", o.theta), field("c0", o.c0), field("normal_radius", o.normal_radius);
+  field("seed_radius", o.seed_radius), field("gingiva_distance", o.gingiva_distance), field("area_min", o.area_min);
+  field("area_max", o.area_max), field("hole_area", o.hole_area), field("refine_band", o.refine_band);
+  field("smooth_radius", o.smooth_radius), field("click_reach", o.click_reach);
+  field("click_concavity", o.click_concavity), field("reject_outliers", o.reject_outliers);
+  field("memory_limit", o.memory_limit);
+}
+
+json to_json(const Vec3 &p) {
+  return {p.x(), p.y(), p.z()};
+}
+json to_json(const Vec<Vec3> &points) {
+  json all = json::array();
+  for (const Vec3 &p : points) all.push_back(to_json(p));
+  return all;
+}
+
+json to_json(const Set::State &s) {
+  json points = json::array(), groups = json::array();
+  for (const Set::Point &p : s.points)
+    points.push_back({{"id", p.id}, {"group", p.group}, {"vertex", p.vertex}, {"position", to_json(p.position)},
+                      {"convexity", p.convexity}, {"by_hand", p.by_hand}});
+  for (const Set::Group &g : s.groups)
+    groups.push_back({{"id", g.id}, {"from", g.from}, {"to", g.to}, {"confidence", g.confidence}});
+  return {{"occlusal", to_json(s.occlusal)},
+          {"arch", to_json(s.arch)},
+          {"inside_out", s.inside_out},
+          {"looks", {s.looks.opposed, s.looks.coverage, s.looks.length, s.looks.warnings}},
+          {"points", points},
+          {"groups", groups},
+          {"next", {s.next_point, s.next_group}}};
+}
+
+[[noreturn]] void wrong(const std::string &where, const std::string &why) {
+  throw Error(Fault::file_syntax, "the session's " + where + " " + why);
+}
+
+// One place in the file, with its name for messages.
+class Place {
+ public:
+  Place(const json &value, std::string name) : value_(&value), name_(std::move(name)) {}
+
+  Place operator[](const char *key) const {
+    if (!value_->is_object() || !value_->contains(key)) wrong(name_, std::string("has no \"") + key + "\"");
+    return {(*value_)[key], name_.empty() ? key : name_ + "." + key};
+  }
+  bool has(const char *key) const { return value_->is_object() && value_->contains(key); }
+  template <class Each>
+  void each(const Each &each) const {
+    if (!value_->is_array()) wrong(name_, "is no array");
+    for (std::size_t i = 0; i < value_->size(); ++i) each(Place((*value_)[i], name_ + "[" + std::to_string(i) + "]"));
+  }
+  std::size_t size() const { return value_->is_array() ? value_->size() : 0; }
+
+  double number() const {
+    if (!value_->is_number()) wrong(name_, "is no number");
+    const double x = value_->get<double>();
+    if (!std::isfinite(x)) wrong(name_, "is not finite");
+    return x;
+  }
+  std::uint64_t integer(std::uint64_t most) const {
+    if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() > most)
+      wrong(name_, "is no whole number up to " + std::to_string(most));
+    return value_->get<std::uint64_t>();
+  }
+  Index index(std::uint64_t below) const {
+    if (below == 0) wrong(name_, "is a number where none can be");
+    return static_cast<Index>(integer(below - 1));
+  }
+  bool boolean() const {
+    if (!value_->is_boolean()) wrong(name_, "is neither true nor false");
+    return value_->get<bool>();
+  }
+  std::string text() const {
+    if (!value_->is_string()) wrong(name_, "is no text");
+    return value_->get<std::string>();
+  }
+  Vec3 point() const {
+    if (size() != 3) wrong(name_, "is no point of three numbers");
+    Vec3 p;
+    for (int k = 0; k < 3; ++k) p[k] = Place((*value_)[static_cast<std::size_t>(k)], name_).number();
+    return p;
+  }
+  Vec<Vec3> points() const {
+    Vec<Vec3> all;
+    each([&](const Place &p) { all.push_back(p.point()); });
+    return all;
+  }
+  std::uint64_t hash() const {
+    const std::string digits = text();
+    if (digits.size() != 16 || digits.find_first_not_of("0123456789abcdef") != std::string::npos)
+      wrong(name_, "is no hash of 16 hexadecimal digits");
+    return std::stoull(digits, nullptr, 16);
+  }
+  const std::string &name() const { return name_; }
+
+ private:
+  const json *value_;
+  std::string name_;
+};
+
+void set_option(const Place &place, double &to) { to = place.number(); }
+void set_option(const Place &place, bool &to) { to = place.boolean(); }
+void set_option(const Place &place, std::uint32_t &to) { to = static_cast<std::uint32_t>(place.integer(UINT32_MAX)); }
+void set_option(const Place &place, std::size_t &to) { to = place.integer(SIZE_MAX); }
+template <class Enum>
+  requires std::is_enum_v<Enum>
+void set_option(const Place &place, Enum &to) {
+  to = static_cast<Enum>(place.integer(4));
+}
+
+Set::State features_of(const Place &f, std::size_t vertices) {
+  constexpr std::uint64_t kIds = mesh::none;
+  Set::State s;
+  s.occlusal = f["occlusal"].point();
+  s.arch = f["arch"].points();
+  s.inside_out = f["inside_out"].boolean();
+  Vec<double> looks;
+  f["looks"].each([&](const Place &p) { looks.push_back(p.number()); });
+  if (looks.size() != 4) wrong("features.looks", "are not four numbers");
+  s.looks = {looks[0], looks[1], looks[2], static_cast<std::uint32_t>(std::clamp(looks[3], 0., 4294967295.))};
+  Vec<Index> next;
+  f["next"].each([&](const Place &p) { next.push_back(p.index(kIds)); });
+  if (next.size() != 2) wrong("features.next", "are not two numbers");
+  s.next_point = next[0], s.next_group = next[1];
+  f["groups"].each([&](const Place &p) {
+    Set::Group g{};
+    g.centre = Vec3::Zero();
+    g.id = p["id"].index(s.next_group);
+    for (const Set::Group &other : s.groups)
+      if (other.id == g.id) wrong(p.name(), "has the id of another");
+    g.from = p["from"].number(), g.to = p["to"].number(), g.confidence = p["confidence"].number();
+    s.groups.push_back(g);
+  });
+  std::size_t place = 0;  // of the group of the last point: points are in the order of the groups
+  f["points"].each([&](const Place &p) {
+    Set::Point q{};
+    q.id = p["id"].index(s.next_point), q.group = p["group"].index(s.next_group);
+    q.vertex = p["vertex"].index(vertices);
+    q.position = p["position"].point();
+    q.convexity = p["convexity"].number(), q.by_hand = p["by_hand"].boolean();
+    while (place < s.groups.size() && s.groups[place].id != q.group) ++place;
+    if (place == s.groups.size()) wrong(p.name(), "is of no group, or not in the order of the groups");
+    Set::Group &g = s.groups[place];
+    g.centre += q.position;
+    ++g.points;
+    s.points.push_back(q);
+  });
+  for (Set::Group &g : s.groups) {
+    if (g.points == 0) wrong("features.groups", "have one without a point");
+    g.centre /= g.points;
+  }
+  return s;
+}
+
+Command command_of(const Place &step) {
+  Command c;
+  const std::string act = step["act"].text();
+  const auto *const known = std::ranges::find(kActs, act);
+  if (known == std::end(kActs)) wrong(step.name(), "has the unknown act \"" + act + "\"");
+  c.act = static_cast<Command::Act>(known - std::begin(kActs));
+  if (step.has("tooth")) c.tooth = step["tooth"].index(mesh::none);
+  if (step.has("other")) c.other = step["other"].index(mesh::none);
+  if (step.has("at")) c.at = step["at"].points();
+  using Act = Command::Act;
+  const std::size_t least = c.act == Act::divide                                                             ? 2
+                            : c.act == Act::click || c.act == Act::take_in || c.act == Act::leave_out ? 1
+                                                                                                      : 0;
+  if (c.at.size() < least) wrong(step.name(), "has too few points");
+  return c;
+}
+
+std::string hex(std::uint64_t value) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
+  return digits;
+}
+
+}  // namespace
+
+std::uint64_t hash_of(const tooth::Session &session) {
+  Hash h;
+  const Vec<std::uint32_t> labels = session.labels();
+  h.add(labels.data(), labels.size() * sizeof labels[0]);
+  return h.value;
+}
+
+std::string to_json(const SavedSession &session, const mesh::Surface &surface) {
+  json options = json::object(), steps = json::array();
+  each_option(session.options, [&](const char *name, const auto &value) {
+    using T = std::decay_t<decltype(value)>;
+    if constexpr (std::is_enum_v<T>)
+      options[name] = static_cast<std::uint32_t>(value);
+    else
+      options[name] = value;
+  });
+  for (const Command &c : session.commands) {
+    json step = {{"act", kActs[static_cast<std::size_t>(c.act)]}};
+    if (c.tooth != mesh::none) step["tooth"] = c.tooth;
+    if (c.other != mesh::none) step["other"] = c.other;
+    if (!c.at.empty()) step["at"] = to_json(c.at);
+    steps.push_back(std::move(step));
+  }
+  const json all = {{"toothseg_session", kFormat},
+                    {"mesh", hex(hash_of(surface))},
+                    {"options", options},
+                    {"features", to_json(session.features)},
+                    {"steps", steps},
+                    {"undone", session.undone},
+                    {"labels", hex(session.result_hash)}};
+  return all.dump(1);
+}
+
+SavedSession from_json(std::string_view text, const mesh::Surface &surface) {
+  json all;
+  try {
+    all = json::parse(text);
+  } catch (const json::parse_error &e) {
+    if (e.byte >= text.size()) throw Error(Fault::file_truncated, "the session ends in the middle of its text");
+    throw Error(Fault::file_syntax, "no JSON at byte " + std::to_string(e.byte));
+  } catch (const json::exception &e) {
+    throw Error(Fault::file_syntax, e.what());
+  }
+  if (!all.is_object() || !all.contains("toothseg_session"))
+    throw Error(Fault::file_format, "JSON, but no session of toothseg");
+  const Place file(all, "");
+  const std::uint64_t format = file["toothseg_session"].integer(UINT32_MAX);
+  if (format > kFormat)
+    throw Error(Fault::file_newer, "the session has format " + std::to_string(format) + ", this library reads up to " +
+                                       std::to_string(kFormat));
+  if (format == 0) throw Error(Fault::file_format, "there is no format 0 of a session");
+  SavedSession s;
+  if (file["mesh"].hash() != hash_of(surface)) throw Error(Fault::mismatch, "the session is of another mesh");
+  s.result_hash = file["labels"].hash();
+  const Place options = file["options"];
+  each_option(s.options, [&](const char *name, auto &value) { set_option(options[name], value); });
+  s.features = features_of(file["features"], surface.vertices());
+  file["steps"].each([&](const Place &step) { s.commands.push_back(command_of(step)); });
+  s.undone = file["undone"].integer(s.commands.size());
+  return s;
+}
+
+}  // namespace ts::api

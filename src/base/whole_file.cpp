@@ -1,0 +1,71 @@
+#include "base/whole_file.h"
+
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "base/error.h"
+
+namespace ts {
+
+namespace fs = std::filesystem;
+
+Vec<std::byte> read_whole_file(const std::string &path) {
+  const fs::path native(std::u8string(path.begin(), path.end()));
+  std::error_code code;
+  if (fs::is_directory(native, code)) throw Error(Fault::file_open, "'" + path + "' is a directory");
+  std::ifstream in(native, std::ios::binary);
+  if (!in) throw Error(Fault::file_open, "cannot open '" + path + "'");
+  Vec<std::byte> bytes;
+  std::size_t size = 0;
+  const std::uintmax_t expected = fs::file_size(native, code);
+  bytes.resize(code ? std::size_t{1} << 20 : static_cast<std::size_t>(expected) + 1);
+  for (;;) {
+    in.read(reinterpret_cast<char *>(bytes.data() + size), static_cast<std::streamsize>(bytes.size() - size));
+    size += static_cast<std::size_t>(in.gcount());
+    if (in.eof()) break;
+    if (!in) throw Error(Fault::file_open, "cannot read '" + path + "' beyond byte " + std::to_string(size));
+    bytes.resize(2 * bytes.size());
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+void write_whole_file(const std::string &path, std::span<const char> bytes) {
+  const auto fail = [&](const std::string &why) { throw Error(Fault::file_write, "\"" + path + "\": " + why); };
+  const fs::path to(std::u8string(path.begin(), path.end()));
+  std::error_code error;
+  // What is no file, a device or a pipe, is not replaced but written to.
+  const fs::file_status status = fs::status(to, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    if (fs::is_directory(status)) fail("is a directory");
+    std::ofstream out(to, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
+    if (!out) fail("cannot be written");
+    return;
+  }
+  fs::path beside = to;
+  beside += ".new-" + std::to_string(std::random_device()());
+  errno = 0;
+  {
+    std::ofstream out(beside, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
+    out.close();
+    if (!out) {
+      const std::string why = errno ? std::strerror(errno) : "cannot be written";
+      fs::remove(beside, error);
+      fail(why);
+    }
+  }
+  fs::rename(beside, to, error);
+  if (error) {
+    const std::string why = error.message();
+    fs::remove(beside, error);
+    fail(why);
+  }
+}
+
+}  // namespace ts
