@@ -118,16 +118,15 @@ ts_status ts_get_number(const ts_segmentation *segmentation, uint32_t tooth, ts_
     need(segmentation, "segmentation");
     need(info, "info");
     const Numbers &numbers = segmentation->numbers;
-    for (const Numbers::Number &n : numbers.numbers())
-      if (id_of(*segmentation, n.group) == tooth) {
-        ts_number_info i{};
-        i.fdi = n.fdi;
-        i.set_by_hand = n.by_hand;
-        i.uncertain = numbers.uncertain(n.confidence);
-        i.confidence = n.confidence;
-        return write_struct(info, i, info->struct_size, "ts_number_info");
-      }
-    throw Error(Fault::not_found, "tooth " + std::to_string(tooth) + " has no number: ts_assign_numbers gives them");
+    const Numbers::Number *n = numbers.number(group_with_id(*segmentation, groups_along(*segmentation), tooth));
+    if (!n)
+      throw Error(Fault::not_found, "tooth " + std::to_string(tooth) + " has no number: ts_assign_numbers gives them");
+    ts_number_info i{};
+    i.fdi = n->fdi;
+    i.set_by_hand = n->by_hand;
+    i.uncertain = numbers.uncertain(n->confidence);
+    i.confidence = n->confidence;
+    write_struct(info, i, info->struct_size, "ts_number_info");
   });
 }
 

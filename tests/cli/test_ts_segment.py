@@ -416,14 +416,23 @@ class Numbers(ToolTest):
                 self.assertTrue(all(n < own[0] for other, n in own.items() if other))
         self.refused("p7_upper.obj", "--json3dts", self.path("none/o.json"), says="none/o.json")
 
-    def test_a_jaw_that_cannot_be_told_is_not_written(self):
-        report = self.run_tool(self.scan.ply, "--jaw", "upper", "--report", "r.json")
-        self.assertEqual(report.returncode, 0)
-        self.assertEqual(self.load("r.json")["jaw"], "upper")
-        lower = self.run_tool(self.scan.ply, "--jaw", "lower", "--fdi", "--labels", "l.txt")
-        self.assertEqual(lower.returncode, 0)
+    def test_a_jaw_that_is_given_decides(self):
+        done = self.run_tool(self.scan.ply, "--jaw", "lower", "--fdi", "--labels", "l.txt")
+        self.assertEqual(done.returncode, 0)
         with open(self.path("l.txt")) as f:
             self.assertTrue(all(int(x) == 0 or int(x) > 30 for x in f))
+
+    def test_a_jaw_that_cannot_be_told_is_not_written(self):
+        # Canines are as wide in either jaw.
+        missing = ",".join(str(q + p) for q in (10, 20) for p in (1, 2, 4, 5, 6, 7))
+        subprocess.run([MAKE_ARCH, self.path("few.ply"), "--triangles", "12000", "--missing", missing], check=True,
+                       stdout=subprocess.DEVNULL)
+        self.refused("few.ply", "--fdi", *self.outputs(), says=["few.ply", "jaw", "--jaw"])
+        self.refused("few.ply", "--json3dts", self.path("o.json"), says=["few.ply", "jaw", "--jaw"])
+        done = self.run_tool("few.ply", "--fdi", "--jaw", "upper", "--labels", "l.txt")
+        self.assertEqual(done.returncode, 0, done)
+        with open(self.path("l.txt")) as f:
+            self.assertEqual({int(x) for x in f}, {0, 13, 23})
 
 
 class Clicks(ToolTest):
