@@ -166,7 +166,7 @@ class Formula {
           pair[p][q] = (1 - kDiastemas) * contact + kDiastemas * std::exp(-gap / kDiastema) / kDiastema;
         } else {
           open += width_[q - 1];
-          prior *= kMissing;
+          prior *= q == p + 2 ? kMissing : kMissingToo;
           const double left = normal(gap - kGapLeft * open, kGapSpread + kGapGrowth * open);
           pair[p][q] = prior * ((1 - kClosed - kHalfClosed) * left + kClosed * contact +
                                 kHalfClosed * (gap < open ? 1 / open : 0));

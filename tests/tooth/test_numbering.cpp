@@ -133,6 +133,15 @@ TEST_CASE("every tooth of arches of mean teeth, whichever one or two are missing
       }
 }
 
+TEST_CASE("what is left of an arch: a quadrant, two canines") {
+  for (const Jaw jaw : {Jaw::upper, Jaw::lower}) {
+    Given given;
+    given.jaw = jaw;
+    for (const std::set<int> &present : {std::set<int>{1, 2, 3, 4, 5, 6, 7}, {8, 9, 10, 11, 12, 13, 14}, {5, 10}})
+      CHECK(number_teeth(made_row(jaw, present), given).place == places_of(present));
+  }
+}
+
 TEST_CASE("small and large teeth, measured as they are") {
   std::mt19937 random(7);
   std::normal_distribution<double> error(0, 1);
