@@ -15,9 +15,10 @@ constexpr double impossible = -std::numeric_limits<double>::infinity();
 using Places = std::array<double, places>;
 using Pairs = std::array<Places, places>;
 
-// Probabilities of what was not measured on any scan: that a tooth is missing inside the row of those left, and in
-// front of its first or behind its last, where at most three count (a scan of one quadrant); that a third molar stands.
-constexpr double kMissing = 0.04, kMissingAtEnd = 0.15, kThirdMolar = 0.15;
+// Probabilities, round figures: that a tooth is missing inside the row of those left, and that the one beside a missing
+// one is missing too; that one is in front of the first or behind the last, where at most three count (a scan of one
+// quadrant); that a third molar stands.
+constexpr double kMissing = 0.04, kMissingToo = 0.25, kMissingAtEnd = 0.15, kThirdMolar = 0.15;
 constexpr int kMostAtEnd = 3;
 
 // Of log(measured / (size * mean)). Within a population crown widths have standard deviations of 5 to 7 % of the mean
