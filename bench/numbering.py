@@ -118,6 +118,8 @@ def report(rows):
                 continue
             what = "%s, jaw %s" % (kind, "given" if given else "estimated")
             out.append(line("**%s**" % what, some))
+            whole = [r for r in some if r["teeth"] and all(t[1] for t in r["teeth"])]
+            out.append(line(what + ", all teeth found", whole))
             if kind == "synthetic":
                 for crowding in CROWDING:
                     out.append(line(what + ", " + crowding, [r for r in some if crowding in r["name"]]))
