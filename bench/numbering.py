@@ -127,7 +127,7 @@ def report(rows):
                 out += [line(what + ", " + r["name"], [r]) for r in some]
     out += ["", "Misses: tooth > number that it got, with its confidence; untold, wrong jaw.", ""]
     for r in rows:
-        misses = ["%d > %d (%.2f)" % t for t in r["teeth"] if t[1] and t[0] != t[1]]
+        misses = ["%d > %d (%.2f)" % tuple(t) for t in r["teeth"] if t[1] and t[0] != t[1]]
         if "error" in r:
             misses = [r["error"]]
         if misses:
