@@ -118,6 +118,8 @@ def report(rows):
                 continue
             what = "%s, jaw %s" % (kind, "given" if given else "estimated")
             out.append(line("**%s**" % what, some))
+            whole = [r for r in some if r["teeth"] and all(t[1] for t in r["teeth"])]
+            out.append(line(what + ", all teeth found", whole))
             if kind == "synthetic":
                 for crowding in CROWDING:
                     out.append(line(what + ", " + crowding, [r for r in some if crowding in r["name"]]))
@@ -125,7 +127,7 @@ def report(rows):
                 out += [line(what + ", " + r["name"], [r]) for r in some]
     out += ["", "Misses: tooth > number that it got, with its confidence; untold, wrong jaw.", ""]
     for r in rows:
-        misses = ["%d > %d (%.2f)" % t for t in r["teeth"] if t[1] and t[0] != t[1]]
+        misses = ["%d > %d (%.2f)" % tuple(t) for t in r["teeth"] if t[1] and t[0] != t[1]]
         if "error" in r:
             misses = [r["error"]]
         if misses:

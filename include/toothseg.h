@@ -814,7 +814,7 @@ TS_API TS_NODISCARD ts_status ts_session_load(const ts_model *model, const char 
 /** The jaw of a scan. */
 typedef enum ts_jaw { TS_JAW_UNKNOWN = 0, TS_JAW_UPPER = 1, TS_JAW_LOWER = 2, TS_JAW_FORCE_INT = 0x7fffffff } ts_jaw;
 
-/** How numbers are told.. */
+/** How numbers are told. */
 typedef struct ts_number_options {
   uint32_t struct_size;
   ts_jaw jaw;              /**< UNKNOWN (default): estimated */
@@ -825,7 +825,7 @@ typedef struct ts_number_options {
 } ts_number_options;
 
 /** Fills `options` with the defaults. `struct_size`: sizeof(ts_number_options). Errors: TS_E_NULL, TS_E_STRUCT_SIZE.
- *  Thread: any.. */
+ *  Thread: any. */
 TS_API TS_NODISCARD ts_status ts_number_options_init(ts_number_options *options, uint32_t struct_size);
 
 /** Gives the teeth of a segmentation their FDI numbers: all feature groups in use and all groups made by clicks,
@@ -838,7 +838,7 @@ TS_API TS_NODISCARD ts_status ts_number_options_init(ts_number_options *options,
  *  `options` in, may be NULL: the defaults; kept for ts_set_number.
  *  Errors, with all numbers as they were: TS_E_TOO_MANY_TEETH (over 16), TS_E_NUMBER_JAW (a number set by hand is of
  *  the other jaw than `options` give), TS_E_NUMBER_ORDER (those set fit no numbering), TS_E_INVALID_ARGUMENT (also
- *  where the features have no occlusal direction), TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_OUT_OF_MEMORY.. */
+ *  where the features have no occlusal direction), TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_OUT_OF_MEMORY. */
 TS_API TS_NODISCARD ts_status ts_assign_numbers(ts_segmentation *segmentation, const ts_number_options *options);
 
 /** Sets the number of a tooth by hand; those of the others follow, and so does the jaw. `tooth`: id of its group (that of
@@ -847,10 +847,10 @@ TS_API TS_NODISCARD ts_status ts_assign_numbers(ts_segmentation *segmentation, c
  *  Errors, with all numbers as they were: TS_E_NOT_FOUND (no such tooth; 0 where none was set), TS_E_INVALID_ARGUMENT
  *  (no FDI number of a permanent tooth), TS_E_NUMBER_JAW (of the other jaw than was given or set), TS_E_NUMBER_TAKEN
  *  (set for another tooth), TS_E_NUMBER_ORDER (breaks the order along the arch, or leaves too few numbers between),
- *  TS_E_TOO_MANY_TEETH, TS_E_NULL, TS_E_OUT_OF_MEMORY.. */
+ *  TS_E_TOO_MANY_TEETH, TS_E_NULL, TS_E_OUT_OF_MEMORY. */
 TS_API TS_NODISCARD ts_status ts_set_number(ts_segmentation *segmentation, uint32_t tooth, uint32_t fdi);
 
-/** The number of a tooth.. */
+/** The number of a tooth. */
 typedef struct ts_number_info {
   uint32_t struct_size;
   uint32_t fdi;         /**< the most probable, also where it is uncertain */
@@ -860,10 +860,10 @@ typedef struct ts_number_info {
 } ts_number_info;
 
 /** `tooth`: id of its group. `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND (no number was assigned to it),
- *  TS_E_NULL, TS_E_STRUCT_SIZE.. */
+ *  TS_E_NULL, TS_E_STRUCT_SIZE. */
 TS_API TS_NODISCARD ts_status ts_get_number(const ts_segmentation *segmentation, uint32_t tooth, ts_number_info *info);
 
-/** The jaw that the numbers are of.. */
+/** The jaw that the numbers are of. */
 typedef struct ts_jaw_info {
   uint32_t struct_size;
   ts_jaw jaw;         /**< the more probable, also where it is uncertain */
@@ -872,16 +872,15 @@ typedef struct ts_jaw_info {
   double confidence;  /**< .5 where nothing tells; 1 if given */
 } ts_jaw_info;
 
-/** `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND (no numbers were assigned), TS_E_NULL, TS_E_STRUCT_SIZE.
- * . */
+/** `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND (no numbers were assigned), TS_E_NULL, TS_E_STRUCT_SIZE. */
 TS_API TS_NODISCARD ts_status ts_get_jaw(const ts_segmentation *segmentation, ts_jaw_info *info);
 
 /** FDI to Universal (1 to 32 from the upper right third molar to the upper left, on from the lower left to the lower
- *  right) and back. Errors: TS_E_INVALID_ARGUMENT (no number of a permanent tooth), TS_E_NULL. Thread: any.. */
+ *  right) and back. Errors: TS_E_INVALID_ARGUMENT (no number of a permanent tooth), TS_E_NULL. Thread: any. */
 TS_API TS_NODISCARD ts_status ts_fdi_to_universal(uint32_t fdi, uint32_t *universal);
 TS_API TS_NODISCARD ts_status ts_universal_to_fdi(uint32_t universal, uint32_t *fdi);
 
-/** A number as Palmer's notation has it.. */
+/** A number as Palmer's notation has it. */
 typedef struct ts_palmer {
   uint32_t struct_size;
   uint32_t quadrant; /**< as in FDI: 1 upper right, 2 upper left, 3 lower left, 4 lower right */
@@ -891,11 +890,11 @@ typedef struct ts_palmer {
 } ts_palmer;
 
 /** `palmer->struct_size` in, the rest out. Errors: TS_E_INVALID_ARGUMENT (no FDI number of a permanent tooth), TS_E_NULL,
- *  TS_E_STRUCT_SIZE. Thread: any.. */
+ *  TS_E_STRUCT_SIZE. Thread: any. */
 TS_API TS_NODISCARD ts_status ts_fdi_to_palmer(uint32_t fdi, ts_palmer *palmer);
 /* ---------------------------------------------------------------------------------------------------- edit the cut */
 
-/* Corrections of a tooth's cut by hand, since 0.2.0. What they have in common:
+/* Corrections of a tooth's cut by hand, What they have in common:
  *   After each the cut is closed where it was, crosses no triangle twice, and lies on edges of the mesh; faces, vertices,
  *   area, warnings, gradient, concavity and confidence of the tooth are those of the new cut. A face that the new cut
  *   crosses belongs to the tooth with more than half of its area within; faces further away stay. The iso-value stays that

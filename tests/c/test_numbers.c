@@ -205,6 +205,35 @@ static void more_teeth_than_a_jaw_has(void) {
   ts_features_destroy(many);
 }
 
+/* A tooth that a step made has a number while it is there. */
+static void numbers_of_teeth_that_steps_make(void) {
+  ts_segmentation *segmentation = fresh();
+  ts_feature_point points[8 * MOST];
+  ts_number_info info;
+  const double *keep = NULL, *part = NULL;
+  uint32_t n = 0, i, second = TS_NONE;
+  const uint32_t molar = groups[1].id;
+  memset(&info, 0, sizeof info);
+  info.struct_size = sizeof info;
+  REQUIRE_STATUS(ts_features_get_points(s.features, points, 8 * MOST, &n), TS_OK);
+  for (i = 0; i < n; ++i)
+    if (points[i].group == molar) {
+      if (keep == NULL) keep = points[i].position;
+      part = points[i].position;
+    }
+  REQUIRE(keep != NULL && part != keep);
+  REQUIRE_STATUS(ts_segment_click(segmentation, keep, NULL, NULL), TS_OK);
+  REQUIRE_STATUS(ts_assign_numbers(segmentation, NULL), TS_OK);
+  REQUIRE_STATUS(ts_tooth_split(segmentation, molar, keep, part, NULL, &second), TS_OK);
+  CHECK_STATUS(ts_get_number(segmentation, second, &info), TS_E_NOT_FOUND); /* not assigned yet */
+  CHECK_STATUS(ts_assign_numbers(segmentation, NULL), TS_OK);
+  CHECK(number_of(segmentation, second).fdi != number_of(segmentation, molar).fdi);
+  CHECK_STATUS(ts_undo(segmentation), TS_OK);
+  CHECK_STATUS(ts_get_number(segmentation, second, &info), TS_E_NOT_FOUND); /* not there any more */
+  CHECK(number_of(segmentation, molar).fdi != 0);
+  ts_segmentation_destroy(segmentation);
+}
+
 static void features_without_an_occlusal_direction(void) {
   ts_features *by_hand = NULL;
   ts_segmentation *segmentation = NULL;
@@ -249,6 +278,7 @@ int main(void) {
     RUN(a_number_set_by_hand_leads_the_others);
     RUN(what_is_refused_changes_nothing);
     RUN(more_teeth_than_a_jaw_has);
+    RUN(numbers_of_teeth_that_steps_make);
     RUN(features_without_an_occlusal_direction);
   }
   RUN(notations);
