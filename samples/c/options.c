@@ -28,10 +28,14 @@ static const char help[] =
     "  --ply OUT.ply         the cleaned mesh, coloured by tooth\n"
     "  --report OUT.json     what was done, what came of each click, and how long it took\n"
     "  --features OUT.json   the feature points, their groups and the arch curve\n"
+    "  --teeth DIR           the mesh of each tooth, tooth_LABEL.stl, and gingiva.stl, cut exactly along the cuts;\n"
+    "                        DIR is made if it is not there\n"
+    "  --closed              these meshes watertight: every rim closed by a smooth membrane\n"
     "\n"
     "  --help, --version\n"
     "\n"
-    "Exit status: 0 done; 1 a click failed, the others are written; 2 nothing is written.\n";
+    "Exit status: 0 done; 1 a click failed or a tooth could not be closed, the others are written; 2 nothing is "
+    "written.\n";
 
 static int is_any_of(const char *text, const char *const *names, int count, int *which) {
   for (*which = 0; *which < count; ++*which)
@@ -80,6 +84,7 @@ static const char **file_of(options *o, const char *option) {
   if (strcmp(option, "--ply") == 0) return &o->ply;
   if (strcmp(option, "--report") == 0) return &o->report;
   if (strcmp(option, "--features") == 0) return &o->features;
+  if (strcmp(option, "--teeth") == 0) return &o->teeth;
   return NULL;
 }
 
@@ -113,6 +118,8 @@ options_result options_parse(int argc, char **argv, options *out) {
     }
     if (strcmp(argv[i], "--auto") == 0) {
       automatic = 1;
+    } else if (strcmp(argv[i], "--closed") == 0) {
+      out->closed = 1;
     } else if (argv[i][0] == '-') {
       if (!parse_valued(out, argv[i], i + 1 < argc ? argv[i + 1] : NULL)) return OPTIONS_BAD;
       ++i;
@@ -125,6 +132,10 @@ options_result options_parse(int argc, char **argv, options *out) {
   }
   if (out->scan == NULL || out->scan[0] == '\0') {
     complain("no scan given (--help says how)");
+    return OPTIONS_BAD;
+  }
+  if (out->closed && out->teeth == NULL) {
+    complain("--closed: without --teeth there is nothing to close");
     return OPTIONS_BAD;
   }
   if (automatic && out->clicks != NULL) {

@@ -58,10 +58,14 @@ Index group_of(const ts_segmentation *s, uint32_t id) {
   return group;
 }
 
+}  // namespace
+
 const Tooth &find_tooth(const ts_segmentation *s, uint32_t id) {
   const Index group = group_of(s, id);  // looks first whether there is an s
   return *s->session.tooth(group);
 }
+
+namespace {
 
 std::shared_ptr<const ClickView> view_of(const ts_segmentation *s, uint32_t click) {
   const Click &c = find_click(s, click);

@@ -64,3 +64,10 @@ struct ts_segmentation {
   ts::api::ViewCache views;
   ts::api::DetailsCache details;
 };
+
+namespace ts::api {
+
+// By its id for the caller; throws not_found.
+const tooth::Tooth &find_tooth(const ts_segmentation *segmentation, uint32_t id);
+
+}  // namespace ts::api

@@ -46,6 +46,7 @@ ts_status status_of(Fault fault) noexcept {
     case Fault::click_on_gingiva: return TS_E_CLICK_ON_GINGIVA;
     case Fault::no_cut: return TS_E_NO_CUT;
     case Fault::solver: return TS_E_SOLVER;
+    case Fault::not_closed: return TS_E_NOT_CLOSED;
   }
   return TS_E_INTERNAL;
 }
@@ -88,6 +89,7 @@ const char *ts_status_name(ts_status status) {
     TS_NAME(TS_E_CLICK_ON_GINGIVA);
     TS_NAME(TS_E_NO_CUT);
     TS_NAME(TS_E_SOLVER);
+    TS_NAME(TS_E_NOT_CLOSED);
     case TS_STATUS_FORCE_INT: break;
   }
 #undef TS_NAME

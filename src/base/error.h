@@ -35,6 +35,7 @@ enum class Fault {
   click_on_gingiva,
   no_cut,
   solver,
+  not_closed,
 };
 
 class Error : public std::runtime_error {

@@ -47,6 +47,7 @@ static void status_names_and_values(void) {
       STATUS(TS_E_CLICK_ON_GINGIVA, 601),
       STATUS(TS_E_NO_CUT, 602),
       STATUS(TS_E_SOLVER, 603),
+      STATUS(TS_E_NOT_CLOSED, 700),
 #undef STATUS
   };
   size_t i;
