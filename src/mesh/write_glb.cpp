@@ -51,8 +51,15 @@ std::string number(double value) {
   return text;
 }
 
+// (Adding up literals and strings makes GCC 12 warn of overlapping copies: GCC bug 105651.)
+std::string join(std::initializer_list<std::string_view> parts) {
+  std::string text;
+  for (const std::string_view part : parts) text.append(part);
+  return text;
+}
+
 std::string vector(const Eigen::Vector3f &v) {
-  return "[" + number(v[0]) + "," + number(v[1]) + "," + number(v[2]) + "]";
+  return join({"[", number(v[0]), ",", number(v[1]), ",", number(v[2]), "]"});
 }
 
 // The parts of the JSON that grow with the groups.
@@ -61,48 +68,44 @@ struct Lists {
   std::size_t groups = 0, bytes = 0;
 
   void add(const OutputGroup &group, const Piece &piece) {
-    const std::string comma = groups ? "," : "", n = std::to_string(groups);
-    const std::size_t vertices = 12 * piece.position.size(), triangles = 12 * piece.triangle.size();
+    const auto text = [](std::size_t n) { return std::to_string(n); };
+    const std::string comma = groups ? "," : "", a = text(3 * groups), b = text(3 * groups + 1),
+                      c = text(3 * groups + 2);
     Eigen::Vector3f low = piece.position[0].cast<float>(), high = low;
     for (const Vec3 &p : piece.position) low = low.cwiseMin(p.cast<float>()), high = high.cwiseMax(p.cast<float>());
-    nodes += "," + ("{\"name\":\"" + group.name + "\",\"mesh\":" + n + "}");
-    const std::size_t a = 3 * groups;
-    meshes += comma + "{\"name\":\"" + group.name +
-              "\",\"primitives\":[{\"attributes\":{\"POSITION\":" + std::to_string(a) +
-              ",\"NORMAL\":" + std::to_string(a + 1) + "},\"indices\":" + std::to_string(a + 2) + ",\"material\":" + n +
-              "}],\"extras\":{\"label\":" + std::to_string(group.label) + "}}";
-    // Colours are sRGB, factors linear.
-    std::string colour;
-    for (const std::uint8_t c : group.colour) colour += number(std::pow(c / 255.0, 2.2)) + ",";
-    materials += comma + "{\"name\":\"" + group.name + "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[" + colour +
-                 "1],\"metallicFactor\":0,\"roughnessFactor\":0.6}}";
-    const auto view = [&](std::size_t size, int target) {
-      views += (views.empty() ? "" : ",") + ("{\"buffer\":0,\"byteOffset\":" + std::to_string(bytes)) +
-               ",\"byteLength\":" + std::to_string(size) + ",\"target\":" + std::to_string(target) + "}";
+    nodes += join({",{\"name\":\"", group.name, "\",\"mesh\":", text(groups), "}"});
+    meshes += join({comma, "{\"name\":\"", group.name, "\",\"primitives\":[{\"attributes\":{\"POSITION\":", a,
+                    ",\"NORMAL\":", b, "},\"indices\":", c, ",\"material\":", text(groups),
+                    "}],\"extras\":{\"label\":", text(group.label), "}}"});
+    std::string colour;  // colours are sRGB, factors linear
+    for (const std::uint8_t level : group.colour) colour += join({number(std::pow(level / 255.0, 2.2)), ","});
+    materials += join({comma, "{\"name\":\"", group.name, "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[", colour,
+                       "1],\"metallicFactor\":0,\"roughnessFactor\":0.6}}"});
+    const auto view = [&](std::size_t size, const char *target) {
+      views += join({views.empty() ? "" : ",", "{\"buffer\":0,\"byteOffset\":", text(bytes),
+                     ",\"byteLength\":", text(size), ",\"target\":", target, "}"});
       bytes += size;
     };
-    view(vertices, 34962);
-    view(vertices, 34962);
-    view(triangles, 34963);
-    const std::string count = std::to_string(piece.position.size());
-    accessors += comma + "{\"bufferView\":" + std::to_string(a) + ",\"componentType\":5126,\"count\":" + count +
-                 ",\"type\":\"VEC3\",\"min\":" + vector(low) + ",\"max\":" + vector(high) +
-                 "},{\"bufferView\":" + std::to_string(a + 1) + ",\"componentType\":5126,\"count\":" + count +
-                 ",\"type\":\"VEC3\"},{\"bufferView\":" + std::to_string(a + 2) +
-                 ",\"componentType\":5125,\"count\":" + std::to_string(3 * piece.triangle.size()) +
-                 ",\"type\":\"SCALAR\"}";
+    view(12 * piece.position.size(), "34962");
+    view(12 * piece.position.size(), "34962");
+    view(12 * piece.triangle.size(), "34963");
+    const std::string floats =
+        join({",\"componentType\":5126,\"count\":", text(piece.position.size()), ",\"type\":\"VEC3\""});
+    accessors += join({comma, "{\"bufferView\":", a, floats, ",\"min\":", vector(low), ",\"max\":", vector(high),
+                       "},{\"bufferView\":", b, floats, "},{\"bufferView\":", c,
+                       ",\"componentType\":5125,\"count\":", text(3 * piece.triangle.size()), ",\"type\":\"SCALAR\"}"});
     ++groups;
   }
 
   // The first node is the scan, which turns mm to m.
   std::string json() const {
     std::string children;
-    for (std::size_t g = 1; g <= groups; ++g) children += (g > 1 ? "," : "") + std::to_string(g);
-    return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"toothseg\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
-           "\"nodes\":[{\"name\":\"scan\",\"scale\":[0.001,0.001,0.001],\"children\":[" +
-           children + "]}" + nodes + "],\"meshes\":[" + meshes + "],\"materials\":[" + materials + "],\"accessors\":[" +
-           accessors + "],\"bufferViews\":[" + views + "],\"buffers\":[{\"byteLength\":" + std::to_string(bytes) +
-           "}]}";
+    for (std::size_t g = 1; g <= groups; ++g) children += join({g > 1 ? "," : "", std::to_string(g)});
+    return join(
+        {"{\"asset\":{\"version\":\"2.0\",\"generator\":\"toothseg\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],",
+         "\"nodes\":[{\"name\":\"scan\",\"scale\":[0.001,0.001,0.001],\"children\":[", children, "]}", nodes,
+         "],\"meshes\":[", meshes, "],\"materials\":[", materials, "],\"accessors\":[", accessors,
+         "],\"bufferViews\":[", views, "],\"buffers\":[{\"byteLength\":", std::to_string(bytes), "}]}"});
   }
 };
 

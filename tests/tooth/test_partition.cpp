@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "../geometry/forms.h"
+#include "base/error.h"
 #include "cut/contour.h"
 #include "tooth/partition.h"
 

@@ -7,6 +7,7 @@
 
 #include "features/analysis.h"
 #include "made_up.h"
+#include "mesh/bvh.h"
 #include "mesh_judge.h"
 #include "tooth/crossings.h"
 #include "tooth/frame.h"
@@ -43,7 +44,7 @@ void check_closed(const PartMesh &m) {
   CHECK(m.loops == 0);
   CHECK(m.volume > 0);
   CHECK(judge::watertight(points_of(m), faces_of(m)));
-  for (const auto &[a, b] : judge::crossings_near(points_of(m), faces_of(m), m.flag))
+  for (const auto &[a, b] : judge::crossings_near(points_of(m), faces_of(m), {m.flag.begin(), m.flag.end()}))
     CHECK_MESSAGE(false, "triangles ", a, " and ", b, " cross");
   for (Index v = 0; v < m.position.size(); ++v) CHECK(m.normal[v].norm() == doctest::Approx(1));
 }
