@@ -63,7 +63,7 @@ ts_model *load(ts_context *context, const std::string &scan) {
 }
 
 struct Row {
-  unsigned teeth = 0, closed = 0, watertight = 0, crossed = 0, inherited = 0, rims = 0, components = 0;
+  unsigned teeth = 0, closed = 0, watertight = 0, crossed = 0, inherited = 0, rims = 0, components = 0, trimmed = 0;
   std::size_t triangles = 0, fill = 0;
   double ms = 0, most_ms = 0, lost = 0, area = 0;
 };
@@ -83,6 +83,7 @@ void look_at(const ts_mesh *mesh, Row &row, bool verbose, unsigned tooth) {
   row.fill += info.fill_triangles;
   row.rims += info.closed_rims;
   row.components += info.components;
+  row.trimmed += info.trimmed;
   row.lost += info.lost;
   row.watertight += judge::watertight(points, faces) && info.volume > 0;
   const auto pairs = judge::crossings_near(points, faces, flags);
@@ -165,13 +166,13 @@ int main(int argc, char **argv) {
   must(ts_context_create(nullptr, &context));
   std::printf(
       "| scan | teeth | closed | watertight | crossing at the fill | scan's own crossings at the cut | rims closed | "
-      "pieces | triangles | of the fills | lost mm^2 | area off | ms a tooth, mean | most |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "pieces | trimmed | triangles | of the fills | lost mm^2 | area off | ms a tooth, mean | most |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (int i = 1 + verbose; i < argc; ++i) {
     const Row r = measure(context, argv[i], verbose);
-    std::printf("| %s | %u | %u | %u | %u | %u | %u | %u | %zu | %zu | %.2f | %.1e | %.0f | %.0f |\n", argv[i], r.teeth,
-                r.closed, r.watertight, r.crossed, r.inherited, r.rims, r.components, r.triangles, r.fill, r.lost,
-                r.area, r.ms / std::max(1u, r.closed), r.most_ms);
+    std::printf("| %s | %u | %u | %u | %u | %u | %u | %u | %u | %zu | %zu | %.2f | %.1e | %.0f | %.0f |\n", argv[i],
+                r.teeth, r.closed, r.watertight, r.crossed, r.inherited, r.rims, r.components, r.trimmed, r.triangles,
+                r.fill, r.lost, r.area, r.ms / std::max(1u, r.closed), r.most_ms);
     std::fflush(stdout);
   }
   ts_context_destroy(context);

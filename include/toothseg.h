@@ -721,7 +721,8 @@ typedef struct ts_mesh_info {
   uint32_t open_rims;      /**< 0: watertight */
   uint32_t closed_rims;    /**< rims that were closed */
   uint32_t components;     /**< connected pieces */
-  uint32_t reserved;
+  uint32_t trimmed;        /**< triangles left out at its rims, because the scan crosses itself there, or every membrane
+                                would cross them; only of closed meshes, up to 3 % of the area */
   double area;             /**< of all triangles, mm^2 */
   double fill_area;        /**< of those that close it, mm^2 */
   double volume;           /**< mm^3; 0 while a rim is open */

@@ -151,6 +151,7 @@ ts_status ts_mesh_get_info(const ts_mesh *mesh, ts_mesh_info *info) {
     i.open_rims = part.loops;
     i.closed_rims = part.filled;
     i.components = part.components;
+    i.trimmed = part.trimmed;
     i.area = part.area;
     i.fill_area = part.fill_area;
     i.volume = part.volume;

@@ -9,7 +9,7 @@ namespace ts::tooth {
 namespace {
 
 // In barycentric coordinates, where the face has the area 1/2: nearer to a chord than this is on it.
-constexpr double kOn = 1e-12;
+constexpr double kOn = 1e-7;
 
 struct Corner {
   Index id;

@@ -71,6 +71,45 @@ PartMesh part_of(const Partition &p, Index owner, bool inside_out, const Executo
   return part;
 }
 
+void take_off(PartMesh &part, std::span<const Index> triangles, const Executor &executor) {
+  Vec<std::uint8_t> off(part.triangle.size(), 0);
+  for (const Index f : triangles) off[f] = 1;
+  const auto kept = [&](const Vec<Triangle> &all) {
+    Vec<Triangle> left;
+    for (std::size_t f = 0; f < all.size(); ++f)
+      if (!off[f]) left.push_back(all[f]);
+    return left;
+  };
+  const mesh::Surface left = mesh::make_surface(part.position, kept(part.triangle), executor);
+  Vec<double> area(left.components, 0);
+  for (Index f = 0; f < left.faces(); ++f) area[left.component[f]] += left.face_area[f];
+  for (Index f = 0, k = 0; f < part.triangle.size(); ++f)
+    if (!off[f] && area[left.component[k++]] < 0.01 * left.area) off[f] = 1;
+  PartMesh next;
+  next.trimmed = part.trimmed;
+  Vec<Index> place(part.position.size(), mesh::none);
+  for (std::size_t f = 0; f < part.triangle.size(); ++f) {
+    if (off[f]) {
+      ++next.trimmed;
+      continue;
+    }
+    Triangle t = part.triangle[f];
+    for (Index &v : t) {
+      if (place[v] == mesh::none) {
+        place[v] = static_cast<Index>(next.position.size());
+        next.position.push_back(part.position[v]);
+        next.flag.push_back(part.flag[v]);
+      }
+      v = place[v];
+    }
+    next.triangle.push_back(t);
+    next.source.push_back(part.source[f]);
+  }
+  part_fans(next, mesh::make_surface(next.position, next.triangle, executor));
+  measure(next, executor);
+  part = std::move(next);
+}
+
 void measure(PartMesh &part, const Executor &executor) {
   const mesh::Surface s = mesh::make_surface(part.position, part.triangle, executor);
   part.normal = geometry::vertex_normals(s, geometry::NormalWeight::angle, executor);

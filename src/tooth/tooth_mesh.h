@@ -22,6 +22,7 @@ struct PartMesh {
   Vec<Index> source;       // a triangle: the face of the scan that it is of; none of those that close it
   Index loops = 0;         // closed rims of it that are open
   Index filled = 0;        // rims that were closed
+  Index trimmed = 0;       // triangles taken off at rims for the sake of closing
   Index components = 0;    // connected pieces
   double area = 0;         // mm^2, of all of it
   double fill_area = 0;    // mm^2, of what closes it
@@ -32,8 +33,11 @@ struct PartMesh {
 // `inside_out`: the faces of the scan look inwards, and are turned. Throws no_cut where there are none.
 PartMesh part_of(const Partition &partition, Index owner, bool inside_out, const Executor &executor);
 
-// Closes every rim of it by a smooth membrane (docs/method.md). Throws not_closed where that cannot be done without the
-// mesh crossing itself; then `part` is as it was.
+// Takes triangles off, and pieces of less than a hundredth of the area that hang on them.
+void take_off(PartMesh &part, std::span<const Index> triangles, const Executor &executor);
+
+// Closes every rim of it by a smooth membrane (docs/method.md). Triangles at the rims that cross others or every fill
+// are taken off first, up to 3 % of the area. Throws not_closed where that is not enough; then `part` is as it was.
 void close(PartMesh &part, const Executor &executor, const Progress &progress);
 
 // What follows from positions and triangles.
