@@ -86,12 +86,16 @@ class Closer {
   // Moves points of the fill, from `vertices` on, into the part where its triangles, from `triangles` on, cross it:
   // against the normals of what they cross, their neighbours half as far. False if some still do.
   bool settle(Index triangles, Index vertices) {
-    constexpr int most = 60;
-    constexpr double step = 0.04;  // mm
+    constexpr int most = 40, patience = 8;  // rounds, and those without getting better
+    constexpr double step = 0.04;           // mm
     Vec<Vec3> move(part_.position.size(), Vec3::Zero());
+    std::size_t least = SIZE_MAX;
+    int best_round = 0;
     for (int round = 0; round < most; ++round) {
       const auto found = crossings(part_.position, part_.triangle, triangles);
       if (found.empty()) return true;
+      if (found.size() < least) least = found.size(), best_round = round;
+      if (round - best_round > patience) return false;
       std::ranges::fill(move, Vec3::Zero());
       const auto push = [&](Index f, const Vec3 &by) {
         for (const Index v : part_.triangle[f])
@@ -246,9 +250,9 @@ Vec<Index> crossed_at_rims(const PartMesh &part, const Executor &executor) {
 
 // Fills all rims; empty if that went well, else what stands in the way.
 Vec<Index> fill_all(PartMesh &part, const Executor &executor, const Progress &progress) {
-  // Where a fill crosses the part: other collars, then flatter ones.
-  constexpr FillOptions membrane{1.15, 3}, flat{1.15, 0};
-  constexpr Way ways[] = {{0.2, membrane}, {0.4, membrane}, {0.1, membrane}, {0, membrane}, {0.2, flat}};
+  // Where a fill crosses the part: other collars, then none.
+  constexpr FillOptions membrane{1.15, 3};
+  constexpr Way ways[] = {{0.2, membrane}, {0.4, membrane}, {0, membrane}};
   PartMesh closed = part;
   Closer closer(closed, executor);
   const std::size_t n = closer.loops().size();

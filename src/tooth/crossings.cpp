@@ -6,15 +6,19 @@
 namespace ts::tooth {
 namespace {
 
-double orient(const Vec3 &a, const Vec3 &b, const Vec3 &c, const Vec3 &d) {
-  return (a - d).dot((b - d).cross(c - d));
+// Above which side of a plane: 0 on it, as far as rounding tells.
+constexpr double kFlat = 1e-14;
+int orient(const Vec3 &a, const Vec3 &b, const Vec3 &c, const Vec3 &d) {
+  const Vec3 u = a - d, v = b - d, w = c - d;
+  const double volume = u.dot(v.cross(w)), least = kFlat * u.norm() * v.norm() * w.norm();
+  return volume > least ? 1 : volume < -least ? -1 : 0;
 }
 
-// Whether the segment from p to q goes through the triangle.
+// Whether the segment from p to q goes through the triangle, or ends on it.
 bool pierces(const Vec3 &p, const Vec3 &q, const Vec3 &a, const Vec3 &b, const Vec3 &c) {
-  const double above = orient(a, b, c, p), below = orient(a, b, c, q);
-  if ((above > 0) == (below > 0) || (above == 0 && below == 0)) return false;
-  const double u = orient(p, q, a, b), v = orient(p, q, b, c), w = orient(p, q, c, a);
+  const int from = orient(a, b, c, p), to = orient(a, b, c, q);
+  if (from == to || from * to > 0) return false;  // an end that lies on it counts
+  const int u = orient(p, q, a, b), v = orient(p, q, b, c), w = orient(p, q, c, a);
   return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
 }
 
