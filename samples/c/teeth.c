@@ -13,6 +13,9 @@
 #if defined(_WIN32)
 #include <direct.h>
 #define mkdir(path, mode) _mkdir(path)
+#define rmdir _rmdir
+#else
+#include <unistd.h>
 #endif
 
 #include "complain.h"
@@ -46,7 +49,9 @@ static int announce(const options *o, teeth_files *files, staging *s, char *path
 
 int teeth_announce_gingiva(const options *o, teeth_files *files, staging *s) {
   if (o->teeth == NULL) return 1;
-  if (mkdir(o->teeth, 0777) != 0 && errno != EEXIST)
+  if (mkdir(o->teeth, 0777) == 0)
+    files->made = o->teeth;
+  else if (errno != EEXIST)
     return complain("%s: cannot be made: %s", o->teeth, strerror(errno));
   return announce(o, files, s, path_for(o->teeth, 0));
 }
@@ -90,6 +95,7 @@ void teeth_close(teeth_files *files) {
   uint32_t i;
   for (i = 0; i < files->count; ++i) free(files->paths[i]);
   free(files->paths);
+  if (files->made != NULL) rmdir(files->made); /* which fails where something is in it */
   files->paths = NULL;
   files->count = 0;
 }
