@@ -156,6 +156,14 @@ TEST_CASE("teeth of a row, closed") {
   }
 }
 
+TEST_CASE("the gingiva with its sockets and the rim of the scan closed") {
+  const Row r = row(2);
+  PartMesh m = parts_of(r.surface, all_teeth(r.surface, r.features)).gingiva;
+  CHECK(m.loops >= 2);  // the rim, and the sockets, which hang together where the teeth touch
+  close(m, one, {});
+  CHECK(judge::watertight(points_of(m), faces_of(m)));
+}
+
 TEST_CASE("a scan whose faces look inwards: parts look outwards all the same") {
   const Row r = row(2);
   Vec<Triangle> turned = r.surface.triangle;
@@ -173,17 +181,13 @@ TEST_CASE("synthetic arches: every tooth closed, watertight, manifold, oriented 
   if (!judge::has_cgal()) MESSAGE("CGAL is not installed: crossings are not judged");
   for (const auto &[seed, crowding] : {std::pair{1, 0.0}, {2, 0.35}, {3, 0.65}}) {
     CAPTURE(seed);
-    const mesh::Surface s = arch(static_cast<std::uint64_t>(seed), crowding, 16000);
+    const mesh::Surface s = arch(static_cast<std::uint64_t>(seed), crowding, 30000);
     const Parts parts = parts_of(s, all_teeth(s, features::detect(s, {}, one, {})));
     CHECK(parts.tooth.size() >= 12);
     for (PartMesh m : parts.tooth) {
       close(m, one, {});
       check_closed(m);
     }
-    if (seed != 1) continue;
-    PartMesh gingiva = parts.gingiva;
-    close(gingiva, one, {});
-    CHECK(judge::watertight(points_of(gingiva), faces_of(gingiva)));
   }
 }
 
