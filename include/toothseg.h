@@ -132,6 +132,9 @@ typedef enum ts_status {
   TS_E_NUMBER_TAKEN = 702,   /**< the number has been set for another tooth */
   TS_E_NUMBER_ORDER = 703,   /**< numbers would not rise along the arch, or leave none for the teeth between */
 
+  /* 750: the meshes of teeth */
+  TS_E_NOT_CLOSED = 750, /**< a rim cannot be closed without the mesh running through itself */
+
   TS_STATUS_FORCE_INT = 0x7fffffff /**< not a status: makes the enum 32 bits wide */
 } ts_status;
 
@@ -964,6 +967,137 @@ typedef struct ts_cut_edit {
  *  Errors: TS_E_NULL, TS_E_NOT_FOUND, TS_E_BUFFER_TOO_SMALL. */
 TS_API TS_NODISCARD ts_status ts_get_cut_edits(const ts_segmentation *segmentation, uint32_t tooth, ts_cut_edit *edits,
                                                uint32_t capacity, uint32_t *count);
+/* ------------------------------------------------------------------------------ meshes of teeth and gingiva, files */
+
+/** A tooth, or the gingiva, as a mesh of its own, cut exactly along the cuts of the teeth: triangles that a cut crosses are
+ *  split on it. What a tooth's cuts enclose is its own; where the cuts of several teeth enclose the same, it is that of the
+ *  tooth with the nearest constraint point (ts_get_tooth_seeds), as ts_get_labels has it for whole faces: the teeth meet
+ *  where these are equally far, and ts_mesh_info::lost says how much that took off. The meshes of all teeth and of the
+ *  gingiva, open, add up to the model, and vertices on cuts have the same coordinates in both meshes, bit for bit. They
+ *  belong to the teeth separated when they are made. Never changes once made; */
+typedef struct ts_mesh ts_mesh;
+
+typedef struct ts_tooth_mesh_options {
+  uint32_t struct_size;
+  uint32_t closed; /**< 1: all rims are closed by smooth membranes, those of the scan (holes, open ends) as well. Default 0 */
+} ts_tooth_mesh_options;
+
+/** Fills `options` with the defaults. `struct_size`: sizeof(ts_tooth_mesh_options). Errors: TS_E_NULL, TS_E_STRUCT_SIZE.
+ *  Thread: any. */
+TS_API TS_NODISCARD ts_status ts_tooth_mesh_options_init(ts_tooth_mesh_options *options, uint32_t struct_size);
+
+/** Makes the mesh of a tooth. `tooth` an id of ts_get_teeth; `options` in, may be NULL; `out` out, owned by the caller.
+ *  Errors: TS_E_NOT_FOUND (no such tooth), TS_E_NO_CUT (its cut does not part it from the rest, or other teeth leave nothing of
+ *  it), TS_E_NOT_CLOSED, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. Thread: const. */
+TS_API TS_NODISCARD ts_status ts_tooth_mesh_create(const ts_segmentation *segmentation, uint32_t tooth,
+                                                   const ts_tooth_mesh_options *options, ts_job *job, ts_mesh **out);
+
+/** Makes the mesh of what belongs to no tooth separated so far: gingiva, base, and teeth not separated. Closed, its sockets
+ *  and the rims of the scan are. Otherwise as ts_tooth_mesh_create. */
+TS_API TS_NODISCARD ts_status ts_gingiva_mesh_create(const ts_segmentation *segmentation,
+                                                     const ts_tooth_mesh_options *options, ts_job *job, ts_mesh **out);
+
+/** Gives a mesh back; NULL is fine. */
+TS_API void ts_mesh_destroy(ts_mesh *mesh);
+
+typedef struct ts_mesh_info {
+  uint32_t struct_size;
+  uint32_t label;          /**< ts_tooth_info::label, 0 of the gingiva */
+  uint32_t vertices;
+  uint32_t triangles;
+  uint32_t fill_triangles; /**< of these, at the end: those that close it */
+  uint32_t cut_vertices;   /**< that it shares with other parts */
+  uint32_t open_rims;      /**< 0: watertight */
+  uint32_t closed_rims;    /**< rims that were closed */
+  uint32_t components;     /**< connected pieces */
+  uint32_t trimmed;        /**< triangles left out at its rims, because the scan crosses itself there, or every membrane
+                                would cross them; only of closed meshes, up to 3 % of the area */
+  double area;             /**< of all triangles, mm^2 */
+  double fill_area;        /**< of those that close it, mm^2 */
+  double volume;           /**< mm^3; 0 while a rim is open */
+  double lost;             /**< of a tooth: what its cuts enclose and another tooth or the gingiva has, mm^2 */
+} ts_mesh_info;
+
+/** `info->struct_size` in, the rest out. Errors: TS_E_NULL, TS_E_STRUCT_SIZE. Thread: const. */
+TS_API TS_NODISCARD ts_status ts_mesh_get_info(const ts_mesh *mesh, ts_mesh_info *info);
+
+/** Vertices: `xyz` 3 doubles a vertex, mm; `capacity` and `count` in vertices. Errors: TS_E_NULL, TS_E_BUFFER_TOO_SMALL.
+ *  Thread: const. */
+TS_API TS_NODISCARD ts_status ts_mesh_get_positions(const ts_mesh *mesh, double *xyz, uint32_t capacity, uint32_t *count);
+
+/** Unit normals of the vertices, outwards: 3 doubles a vertex; 0, 0, 0 where the triangles around cancel out. Otherwise as
+ *  ts_mesh_get_positions. */
+TS_API TS_NODISCARD ts_status ts_mesh_get_normals(const ts_mesh *mesh, double *xyz, uint32_t capacity, uint32_t *count);
+
+/** Triangles: 3 vertex indices each, counter-clockwise seen from outside, also where the faces of the scan look inwards;
+ *  `capacity` and `count` in triangles. Otherwise as ts_mesh_get_positions. */
+TS_API TS_NODISCARD ts_status ts_mesh_get_triangles(const ts_mesh *mesh, uint32_t *triangles, uint32_t capacity,
+                                                    uint32_t *count);
+
+/** For each triangle the model face that it is of, TS_NONE for those that close the mesh. Otherwise as
+ *  ts_mesh_get_triangles. */
+TS_API TS_NODISCARD ts_status ts_mesh_get_faces(const ts_mesh *mesh, uint32_t *faces, uint32_t capacity, uint32_t *count);
+
+/** What a vertex is. Values are fixed; */
+typedef enum ts_mesh_vertex_flag {
+  TS_VERTEX_ON_CUT = 1,  /**< shared with another part */
+  TS_VERTEX_ON_RIM = 2,  /**< on a rim of the scan */
+  TS_VERTEX_OF_FILL = 4, /**< made to close the mesh */
+  TS_VERTEX_FORCE_INT = 0x7fffffff
+} ts_mesh_vertex_flag;
+
+/** For each vertex a sum of ts_mesh_vertex_flag. Otherwise as ts_mesh_get_positions. */
+TS_API TS_NODISCARD ts_status ts_mesh_get_vertex_flags(const ts_mesh *mesh, uint8_t *flags, uint32_t capacity,
+                                                       uint32_t *count);
+
+/** Formats that are written. Values are fixed; */
+typedef enum ts_output_format {
+  TS_OUTPUT_STL = 0, /**< binary; floats */
+  TS_OUTPUT_PLY = 1, /**< binary; floats; red, green, blue (uchar) and label (int) a triangle */
+  TS_OUTPUT_OBJ = 2, /**< a group a part, of shared vertices */
+  TS_OUTPUT_GLB = 3, /**< glTF 2.0 binary, in m as it has to be: a mesh and a node a part, floats */
+  TS_OUTPUT_FORCE_INT = 0x7fffffff
+} ts_output_format;
+
+/** Writes a mesh to a file. `path`: UTF-8; it is written to a temporary file beside it and renamed, so that nothing is left half
+ *  written, and what was there stays if it fails. Parts are named tooth_LABEL and gingiva in formats with names.
+ *  Errors: TS_E_FILE_WRITE (the message says why: disk full, no such directory, not a regular file, ...),
+ *  TS_E_INVALID_ARGUMENT, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, TS_E_NULL. Thread: const. */
+TS_API TS_NODISCARD ts_status ts_mesh_save(const ts_mesh *mesh, const char *path, ts_output_format format, ts_job *job);
+
+typedef struct ts_save_options {
+  uint32_t struct_size;
+  uint32_t whole_faces; /**< 1: the model's faces as they are, each of the tooth that ts_get_labels says. Default 0: split
+                             along the cuts */
+} ts_save_options;
+
+/** Fills `options` with the defaults. As ts_tooth_mesh_options_init. */
+TS_API TS_NODISCARD ts_status ts_save_options_init(ts_save_options *options, uint32_t struct_size);
+
+/** Writes the whole scan with its teeth: colours and labels (PLY), a group (OBJ) or a node (GLB) a tooth and one for the
+ *  gingiva; STL has the triangles alone. `options` in, may be NULL. Errors: those of ts_mesh_save, and TS_E_NO_CUT.
+ *  Thread: const. */
+TS_API TS_NODISCARD ts_status ts_segmentation_save(const ts_segmentation *segmentation, const char *path,
+                                                   ts_output_format format, const ts_save_options *options, ts_job *job);
+
+/** Which way a tooth looks, and its extent that way over the faces of ts_get_tooth_faces. */
+typedef struct ts_tooth_frame {
+  uint32_t struct_size;
+  uint32_t from_arch;  /**< 1: mesial is along the arch curve; 0: there is none (features made by hand), and mesial is the
+                            direction in which the tooth is widest, to either side */
+  double centre[3];    /**< of the area of its faces, mm */
+  double occlusal[3];  /**< unit vector: that of the features */
+  double mesial[3];    /**< unit vector along the arch, at right angles to occlusal, towards the middle of the arch curve's
+                            length: the midline, where the scan is of a whole arch */
+  double buccal[3];    /**< unit vector at right angles to both, away from the middle between the ends of the arch */
+  double width;        /**< mesial-distal extent, mm */
+  double depth;        /**< buccal-lingual extent, mm */
+  double height;       /**< occlusal-gingival extent of what the scan shows of the crown, mm */
+} ts_tooth_frame;
+
+/** `frame->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND, TS_E_INVALID_ARGUMENT (the features have no occlusal
+ *  direction), TS_E_NULL, TS_E_STRUCT_SIZE. Thread: const. */
+TS_API TS_NODISCARD ts_status ts_get_tooth_frame(const ts_segmentation *segmentation, uint32_t tooth, ts_tooth_frame *frame);
 
 #ifdef __cplusplus
 }

@@ -449,6 +449,13 @@ class Segmentation {
   std::vector<Index> labels() const {
     return detail::elements<Index>([&](auto... a) { return ts_get_labels(get(), a...); });
   }
+  ts_tooth_frame tooth_frame(Index tooth) const {
+    return detail::info<ts_tooth_frame>([&](auto *f) { return ts_get_tooth_frame(get(), tooth, f); });
+  }
+  void save(const std::string &path, ts_output_format format, const ts_save_options *options = nullptr,
+            Job *job = nullptr) const {
+    detail::check(ts_segmentation_save(get(), path.c_str(), format, options, detail::handle(job)), job);
+  }
   ts_memory_info memory() const {
     return detail::info<ts_memory_info>([&](auto *m) { return ts_get_memory(get(), m); });
   }
@@ -474,6 +481,66 @@ class Segmentation {
 };
 
 // The C function gives all points in one array and where each polyline starts in it.
+inline ts_tooth_mesh_options tooth_mesh_options() {
+  return detail::initialised<ts_tooth_mesh_options>(ts_tooth_mesh_options_init);
+}
+
+// A tooth or the gingiva as a mesh of its own.
+class Mesh {
+ public:
+  static Mesh tooth(const Segmentation &s, Index tooth, const ts_tooth_mesh_options &options = tooth_mesh_options(),
+                    Job *job = nullptr) {
+    return made([&](ts_mesh **out) {
+      return ts_tooth_mesh_create(s.get(), tooth, &options, detail::handle(job), out);
+    }, job);
+  }
+  static Mesh gingiva(const Segmentation &s, const ts_tooth_mesh_options &options = tooth_mesh_options(),
+                      Job *job = nullptr) {
+    return made([&](ts_mesh **out) { return ts_gingiva_mesh_create(s.get(), &options, detail::handle(job), out); },
+                job);
+  }
+
+  ts_mesh_info info() const {
+    return detail::info<ts_mesh_info>([&](auto *i) { return ts_mesh_get_info(get(), i); });
+  }
+  std::vector<Point> positions() const {
+    return detail::points([&](auto... a) { return ts_mesh_get_positions(get(), a...); });
+  }
+  std::vector<Point> normals() const {
+    return detail::points([&](auto... a) { return ts_mesh_get_normals(get(), a...); });
+  }
+  // 3 vertices a triangle.
+  std::vector<std::array<Index, 3>> triangles() const {
+    return detail::elements<std::array<Index, 3>>([&](auto *p, auto capacity, auto *count) {
+      return ts_mesh_get_triangles(get(), p ? p->data() : nullptr, capacity, count);
+    });
+  }
+  std::vector<Index> faces() const {
+    return detail::elements<Index>([&](auto... a) { return ts_mesh_get_faces(get(), a...); });
+  }
+  std::vector<std::uint8_t> vertex_flags() const {
+    return detail::elements<std::uint8_t>([&](auto... a) { return ts_mesh_get_vertex_flags(get(), a...); });
+  }
+  void save(const std::string &path, ts_output_format format, Job *job = nullptr) const {
+    detail::check(ts_mesh_save(get(), path.c_str(), format, detail::handle(job)), job);
+  }
+
+  ts_mesh *get() const noexcept { return handle_.get(); }
+
+ private:
+  template <class Make>
+  static Mesh made(Make make, Job *job) {
+    ts_mesh *handle = nullptr;
+    const ts_status status = make(&handle);
+    Mesh mesh;
+    mesh.handle_.reset(handle);  // first: a callback may have thrown at the very end
+    detail::check(status, job);
+    return mesh;
+  }
+
+  detail::Owner<ts_mesh, ts_mesh_destroy> handle_;
+};
+
 inline std::vector<Polyline> Segmentation::contour(Index click, Index contour) const {
   const std::vector<ts_contour_info> infos = contours(click);
   if (contour >= infos.size()) throw Exception(TS_E_NOT_FOUND, "no contour " + std::to_string(contour));

@@ -34,10 +34,14 @@ static const char help[] =
     "  --features OUT.json   the feature points, their groups and the arch curve\n"
     "  --json3dts OUT.json   FDI numbers and instances a vertex of SCAN, as the 3DTeethSeg challenge has them: a vertex\n"
     "                        is of the tooth, or gingiva, that most of its faces are of; of a tooth where as many are\n"
+    "  --teeth DIR           the mesh of each tooth, tooth_LABEL.stl, and gingiva.stl, cut exactly along the cuts;\n"
+    "                        DIR is made if it is not there\n"
+    "  --closed              these meshes watertight: every rim closed by a smooth membrane\n"
     "\n"
     "  --help, --version\n"
     "\n"
-    "Exit status: 0 done; 1 a click failed, the others are written; 2 nothing is written.\n";
+    "Exit status: 0 done; 1 a click failed or a tooth could not be closed, the others are written; 2 nothing is "
+    "written.\n";
 
 static int is_any_of(const char *text, const char *const *names, int count, int *which) {
   for (*which = 0; *which < count; ++*which)
@@ -96,6 +100,7 @@ static const char **file_of(options *o, const char *option) {
   if (strcmp(option, "--report") == 0) return &o->report;
   if (strcmp(option, "--features") == 0) return &o->features;
   if (strcmp(option, "--json3dts") == 0) return &o->json3dts;
+  if (strcmp(option, "--teeth") == 0) return &o->teeth;
   return NULL;
 }
 
@@ -132,6 +137,8 @@ options_result options_parse(int argc, char **argv, options *out) {
       automatic = 1;
     } else if (strcmp(argv[i], "--fdi") == 0) {
       out->fdi = 1;
+    } else if (strcmp(argv[i], "--closed") == 0) {
+      out->closed = 1;
     } else if (argv[i][0] == '-') {
       if (!parse_valued(out, argv[i], i + 1 < argc ? argv[i + 1] : NULL)) return OPTIONS_BAD;
       ++i;
@@ -144,6 +151,10 @@ options_result options_parse(int argc, char **argv, options *out) {
   }
   if (out->scan == NULL || out->scan[0] == '\0') {
     complain("no scan given (--help says how)");
+    return OPTIONS_BAD;
+  }
+  if (out->closed && out->teeth == NULL) {
+    complain("--closed: without --teeth there is nothing to close");
     return OPTIONS_BAD;
   }
   if (automatic && out->clicks != NULL) {

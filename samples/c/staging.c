@@ -78,21 +78,37 @@ int staging_announce(staging *s, const char *const *outputs, int output_count, c
   return good;
 }
 
-FILE *staging_open(staging *s, const char *path) {
+static staged_file *announced(staging *s, const char *path) {
   int i;
-  for (i = 0; i < s->count; ++i) {
-    staged_file *f = &s->files[i];
-    if (strcmp(f->path, path) != 0) continue;
-    f->file = fopen(f->temporary, "wb");
-    if (f->file == NULL) complain("%s: cannot be written: %s", path, strerror(errno));
-    return f->file;
-  }
+  for (i = 0; i < s->count; ++i)
+    if (strcmp(s->files[i].path, path) == 0) return &s->files[i];
   complain("%s: not announced", path);
   return NULL;
 }
 
+FILE *staging_open(staging *s, const char *path) {
+  staged_file *f = announced(s, path);
+  if (f == NULL) return NULL;
+  f->file = fopen(f->temporary, "wb");
+  if (f->file == NULL) complain("%s: cannot be written: %s", path, strerror(errno));
+  return f->file;
+}
+
+const char *staging_by_path(staging *s, const char *path) {
+  staged_file *f = announced(s, path);
+  if (f == NULL) return NULL;
+  f->by_path = 1;
+  return f->temporary;
+}
+
+void staging_leave_out(staging *s, const char *path) {
+  staged_file *f = announced(s, path);
+  if (f != NULL) f->left_out = 1;
+}
+
 static int finish(staged_file *f) {
   int failed;
+  if (f->by_path || f->left_out) return 1;
   if (f->file == NULL) return complain("%s: not opened", f->path);
   errno = 0;
   failed = fflush(f->file) != 0 || ferror(f->file);
@@ -104,6 +120,7 @@ static int finish(staged_file *f) {
 
 static int place(staged_file *f) {
   struct stat there;
+  if (f->left_out) return 1;
   if (stat(f->path, &there) == 0) {
     if (rename(f->path, f->previous) != 0) return complain("%s: cannot be replaced: %s", f->path, strerror(errno));
     f->kept = 1;

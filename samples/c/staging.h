@@ -7,13 +7,15 @@
 
 #include <stdio.h>
 
-#define STAGING_MOST 8
+#define STAGING_MOST 128
 
 typedef struct staged_file {
   const char *path; /* the caller's */
   char *temporary;  /* beside it */
   char *previous;   /* where the file that was there waits while the new ones are put in place */
   FILE *file;
+  int by_path;      /* written by its temporary name, not through `file` */
+  int left_out;     /* not to be put in place after all */
   int kept, placed; /* what staging_commit has done so far */
 } staged_file;
 
@@ -29,6 +31,12 @@ int staging_announce(staging *s, const char *const *outputs, int output_count, c
 
 /* The stream to write an announced output to; NULL, with a complaint, if it cannot be opened. */
 FILE *staging_open(staging *s, const char *path);
+
+/* The temporary name to write an announced output to by other means. */
+const char *staging_by_path(staging *s, const char *path);
+
+/* This output will not be there after all; what was there stays. */
+void staging_leave_out(staging *s, const char *path);
 
 /* Closes all and puts them in place. 0, with a complaint, if anything could not be written: then no output changed. */
 int staging_commit(staging *s);

@@ -1,8 +1,8 @@
 /* ts-segment: the whole library as a command. SPDX-License-Identifier: Apache-2.0
  *
  * Plain C99 against toothseg.h alone: options.c reads the command line, clicks.c the clicks, run.c goes the way through
- * the library, writers.c, json3dts.c and report.c write what came of it, staging.c sees to it that the outputs are all there or
- * not at all. */
+ * the library, writers.c, json3dts.c, teeth.c and report.c write what came of it, staging.c sees to it that the outputs are all
+ * there or not at all. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,6 +11,7 @@
 #include "options.h"
 #include "run.h"
 #include "staging.h"
+#include "teeth.h"
 #include "writers.h"
 
 enum { EXIT_DONE = 0, EXIT_CLICK_FAILED = 1, EXIT_NOTHING_WRITTEN = 2 };
@@ -41,9 +42,9 @@ static int write_one(const run *r, staging *s, const char *path, int (*write)(co
   return file != NULL && write(r, file);
 }
 
-static int write_all(const run *r, staging *s) {
+static int write_all(run *r, const teeth_files *teeth, staging *s) {
   const options *o = r->options;
-  return write_one(r, s, o->labels, write_labels) && write_one(r, s, o->cuts, write_cuts) &&
+  return teeth_write(r, teeth, s) && write_one(r, s, o->labels, write_labels) && write_one(r, s, o->cuts, write_cuts) &&
          write_one(r, s, o->ply, write_ply) && write_one(r, s, o->report, write_report) &&
          write_one(r, s, o->features, write_features) &&
          write_one(r, s, o->json3dts, write_json3dts) && staging_commit(s);
@@ -53,12 +54,16 @@ static int segment(const options *o) {
   int good;
   run r;
   staging outputs;
+  teeth_files teeth;
   memset(&r, 0, sizeof r);
+  memset(&teeth, 0, sizeof teeth);
   memset(&outputs, 0, sizeof outputs);
   r.options = o;
-  good = announce(o, &outputs) && (o->clicks == NULL || clicks_read(o->clicks, &r.clicks, &r.click_count)) &&
-         run_prepare(&r) && run_click(&r) && run_number(&r) && write_all(&r, &outputs);
+  good = announce(o, &outputs) && teeth_announce_gingiva(o, &teeth, &outputs) &&
+         (o->clicks == NULL || clicks_read(o->clicks, &r.clicks, &r.click_count)) && run_prepare(&r) && run_click(&r) && run_number(&r) &&
+         teeth_announce_all(&r, &teeth, &outputs) && write_all(&r, &teeth, &outputs);
   staging_close(&outputs);
+  teeth_close(&teeth);
   if (good)
     printf("%s: %lu teeth from %lu clicks, %lu failed\n", o->scan, (unsigned long)r.tooth_count,
            (unsigned long)r.click_count, (unsigned long)r.failed);
@@ -70,11 +75,8 @@ static int segment(const options *o) {
 int main(int argc, char **argv) {
   options o;
   switch (options_parse(argc, argv, &o)) {
-    case OPTIONS_RUN:
-      return segment(&o);
-    case OPTIONS_DONE:
-      return EXIT_DONE;
-    default:
-      return EXIT_NOTHING_WRITTEN;
+    case OPTIONS_RUN: return segment(&o);
+    case OPTIONS_DONE: return EXIT_DONE;
+    default: return EXIT_NOTHING_WRITTEN;
   }
 }

@@ -50,7 +50,6 @@ void edit(const Prepared &p, tooth::Session &next, const Command &command, const
   if (!next.tooth(group)) throw Error(Fault::not_found, "no such tooth has been separated");
   if (next.locked(group)) throw Error(Fault::locked, "the tooth is locked");
   if (command.act == Command::Act::reset) {
-    if (next.edits(group).empty()) throw Error(Fault::no_change, "the cut has not been edited");
     next.replace(group, {}, {});
     return;
   }
@@ -133,6 +132,7 @@ ts_status ts_cut_reset(ts_segmentation *segmentation, uint32_t tooth) {
   return guarded(__func__, [&] {
     const Index group = group_of(segmentation, tooth);
     const AllocatorScope scope(segmentation->prepared->context().allocator);
+    if (segmentation->session.edits(group).empty()) return;  // it is so already, and no step
     Command command;
     command.act = Command::Act::reset;
     command.tooth = group;

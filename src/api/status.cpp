@@ -59,6 +59,7 @@ ts_status status_of(Fault fault) noexcept {
     case Fault::edit_crossing: return TS_E_EDIT_CROSSING;
     case Fault::edit_off_cut: return TS_E_EDIT_OFF_CUT;
     case Fault::edit_no_loop: return TS_E_EDIT_NO_LOOP;
+    case Fault::not_closed: return TS_E_NOT_CLOSED;
   }
   return TS_E_INTERNAL;
 }
@@ -114,6 +115,7 @@ const char *ts_status_name(ts_status status) {
     TS_NAME(TS_E_EDIT_CROSSING);
     TS_NAME(TS_E_EDIT_OFF_CUT);
     TS_NAME(TS_E_EDIT_NO_LOOP);
+    TS_NAME(TS_E_NOT_CLOSED);
     case TS_STATUS_FORCE_INT: break;
   }
 #undef TS_NAME

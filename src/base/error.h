@@ -48,6 +48,7 @@ enum class Fault {
   edit_crossing,
   edit_off_cut,
   edit_no_loop,
+  not_closed,
 };
 
 class Error : public std::runtime_error {

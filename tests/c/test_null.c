@@ -292,6 +292,48 @@ static void number_functions(void) {
   REFUSED(ts_fdi_to_palmer, (11, NULL));
 }
 
+static void mesh_functions(void) {
+  ts_tooth_mesh_options o;
+  ts_save_options save;
+  ts_mesh_info info;
+  ts_tooth_frame frame;
+  ts_mesh *part = NULL;
+  double xyz = 5;
+  uint32_t index = 5;
+  uint8_t flag = 5;
+  info.struct_size = sizeof info;
+  frame.struct_size = sizeof frame;
+  REQUIRE_STATUS(ts_gingiva_mesh_create(s.segmentation, NULL, NULL, &part), TS_OK);
+  begin();
+  REFUSED(ts_tooth_mesh_options_init, (NULL, sizeof o));
+  REFUSED(ts_save_options_init, (NULL, sizeof save));
+  REFUSED(ts_tooth_mesh_create, (NULL, 0, NULL, NULL, (ts_mesh **)&out));
+  REFUSED(ts_tooth_mesh_create, (s.segmentation, 0, NULL, NULL, NULL));
+  REFUSED(ts_gingiva_mesh_create, (NULL, NULL, NULL, (ts_mesh **)&out));
+  REFUSED(ts_gingiva_mesh_create, (s.segmentation, NULL, NULL, NULL));
+  HARMLESS(ts_mesh_destroy, (NULL));
+  REFUSED(ts_mesh_get_info, (NULL, &info));
+  REFUSED(ts_mesh_get_info, (part, NULL));
+  REFUSED(ts_mesh_get_positions, (NULL, &xyz, 1, &count));
+  REFUSED(ts_mesh_get_positions, (part, NULL, 0, NULL));
+  REFUSED(ts_mesh_get_normals, (NULL, &xyz, 1, &count));
+  REFUSED(ts_mesh_get_normals, (part, NULL, 0, NULL));
+  REFUSED(ts_mesh_get_triangles, (NULL, &index, 1, &count));
+  REFUSED(ts_mesh_get_triangles, (part, NULL, 0, NULL));
+  REFUSED(ts_mesh_get_faces, (NULL, &index, 1, &count));
+  REFUSED(ts_mesh_get_faces, (part, NULL, 0, NULL));
+  REFUSED(ts_mesh_get_vertex_flags, (NULL, &flag, 1, &count));
+  REFUSED(ts_mesh_get_vertex_flags, (part, NULL, 0, NULL));
+  REFUSED(ts_mesh_save, (NULL, "null.stl", TS_OUTPUT_STL, NULL));
+  REFUSED(ts_mesh_save, (part, NULL, TS_OUTPUT_STL, NULL));
+  REFUSED(ts_segmentation_save, (NULL, "null.ply", TS_OUTPUT_PLY, NULL, NULL));
+  REFUSED(ts_segmentation_save, (s.segmentation, NULL, TS_OUTPUT_PLY, NULL, NULL));
+  REFUSED(ts_get_tooth_frame, (NULL, 0, &frame));
+  REFUSED(ts_get_tooth_frame, (s.segmentation, 0, NULL));
+  CHECK(xyz == 5 && index == 5 && flag == 5);
+  ts_mesh_destroy(part);
+}
+
 static void every_function_is_here(void) {
   size_t i;
   CHECK(FUNCTIONS >= 60);
@@ -362,6 +404,7 @@ int main(void) {
   RUN(result_functions);
   RUN(session_functions);
   RUN(number_functions);
+  RUN(mesh_functions);
   RUN(every_function_is_here);
   free_scan(&s);
   return harness_finish();

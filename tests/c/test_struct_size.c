@@ -1,5 +1,6 @@
 /* Every struct that begins with struct_size: today's size is accepted, no size that no release had is.
  * SPDX-License-Identifier: Apache-2.0 */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,6 +36,12 @@ static ts_status init_segment(void *o, uint32_t size) {
 
 static ts_status init_number(void *o, uint32_t size) {
   return ts_number_options_init(o, size);
+}
+static ts_status init_tooth_mesh(void *o, uint32_t size) {
+  return ts_tooth_mesh_options_init(o, size);
+}
+static ts_status init_save(void *o, uint32_t size) {
+  return ts_save_options_init(o, size);
 }
 
 static ts_status use_context(void *o) {
@@ -93,6 +100,21 @@ static ts_status get_jaw(void *o) {
 static ts_status get_palmer(void *o) {
   return ts_fdi_to_palmer(21, o);
 }
+static ts_mesh *part;
+
+static ts_status use_tooth_mesh(void *o) {
+  ts_mesh *out = NULL;
+  const ts_status status = ts_tooth_mesh_create(s.segmentation, tooth_id, o, NULL, &out);
+  ts_mesh_destroy(out);
+  return status;
+}
+
+static ts_status use_save(void *o) {
+  const ts_status status = ts_segmentation_save(s.segmentation, "struct_size.ply", TS_OUTPUT_PLY, o, NULL);
+  remove("struct_size.ply");
+  return status;
+}
+
 static ts_status get_report(void *o) {
   return ts_model_get_report(s.model, o);
 }
@@ -114,6 +136,12 @@ static ts_status get_times(void *o) {
 static ts_status get_history(void *o) {
   return ts_get_history(s.segmentation, o);
 }
+static ts_status get_mesh(void *o) {
+  return ts_mesh_get_info(part, o);
+}
+static ts_status get_frame(void *o) {
+  return ts_get_tooth_frame(s.segmentation, tooth_id, o);
+}
 static ts_status get_cut(void *o) {
   uint32_t n;
   return ts_get_cut(s.segmentation, tooth_id, 0, o, NULL, 0, &n);
@@ -129,7 +157,9 @@ static const struct {
                {"ts_intake_options", init_intake, use_intake, sizeof(ts_intake_options)},
                {"ts_feature_options", init_features, use_features, sizeof(ts_feature_options)},
                {"ts_segment_options", init_segment, use_segment, sizeof(ts_segment_options)},
-               {"ts_number_options", init_number, use_number, sizeof(ts_number_options)}},
+               {"ts_number_options", init_number, use_number, sizeof(ts_number_options)},
+               {"ts_tooth_mesh_options", init_tooth_mesh, use_tooth_mesh, sizeof(ts_tooth_mesh_options)},
+               {"ts_save_options", init_save, use_save, sizeof(ts_save_options)}},
   results[] = {{"ts_intake_report", NULL, get_report, sizeof(ts_intake_report)},
                {"ts_features_info", NULL, get_features, sizeof(ts_features_info)},
                {"ts_click_info", NULL, get_click, sizeof(ts_click_info)},
@@ -140,7 +170,9 @@ static const struct {
                {"ts_prepare_times", NULL, get_times, sizeof(ts_prepare_times)},
                {"ts_number_info", NULL, get_number, sizeof(ts_number_info)},
                {"ts_jaw_info", NULL, get_jaw, sizeof(ts_jaw_info)},
-               {"ts_palmer", NULL, get_palmer, sizeof(ts_palmer)}};
+               {"ts_palmer", NULL, get_palmer, sizeof(ts_palmer)},
+               {"ts_mesh_info", NULL, get_mesh, sizeof(ts_mesh_info)},
+               {"ts_tooth_frame", NULL, get_frame, sizeof(ts_tooth_frame)}};
 
 /* All of these are no size of any release; 0.1.0 is the first, so that no shorter one is one. */
 static size_t wrong_sizes(uint32_t size, uint32_t *wrong) {
@@ -240,11 +272,13 @@ int main(void) {
     free(ids);
   }
   free(proposed);
+  if (ts_gingiva_mesh_create(s.segmentation, NULL, NULL, &part) != TS_OK) return 3;
   RUN(init_fills_its_struct_and_no_more);
   RUN(init_refuses_wrong_sizes);
   RUN(options_of_a_wrong_size_are_refused);
   RUN(results_fill_their_struct_and_no_more);
   RUN(results_refuse_wrong_sizes);
+  ts_mesh_destroy(part);
   free_scan(&s);
   return harness_finish();
 }

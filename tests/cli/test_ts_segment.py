@@ -203,6 +203,46 @@ class BadOutput(ToolTest):
                 self.assertEqual(f.read(), "old " + name)
 
 
+class Teeth(ToolTest):
+    def triangles(self, path):
+        with open(path, "rb") as f:
+            data = f.read()
+        count = struct.unpack_from("<I", data, 80)[0]
+        self.assertEqual(len(data), 84 + 50 * count)
+        return [struct.unpack_from("<9f", data, 84 + 50 * i + 12) for i in range(count)]
+
+    def test_a_file_a_tooth(self):
+        done = self.run_tool(self.scan.stl, "--teeth", "teeth", "--closed", "--report", "r.json")
+        self.assertEqual(done.returncode, 0, done)
+        teeth = self.load("r.json")["counts"]["teeth"]
+        names = {f"tooth_{k}.stl" for k in range(1, teeth + 1)} | {"gingiva.stl"}
+        self.assertEqual(set(os.listdir(self.path("teeth"))), names)
+        for name in names:
+            sides = {}
+            for t in self.triangles(os.path.join(self.path("teeth"), name)):
+                corners = [t[0:3], t[3:6], t[6:9]]
+                for k in range(3):
+                    a, b = corners[k], corners[(k + 1) % 3]
+                    sides[a, b] = sides.get((a, b), 0) + 1
+            self.assertTrue(all(n == sides.get((b, a)) for (a, b), n in sides.items()), name)
+
+    def test_refused(self):
+        self.refused(self.scan.stl, "--closed", says="--closed")
+        self.refused(self.scan.stl, "--teeth", self.path("none/teeth"), says="none/teeth")
+        self.write("file", "no directory")
+        self.refused(self.scan.stl, "--teeth", self.path("file"), says="file")
+
+    @unittest.skipUnless(os.path.exists("/bin/sh"), "needs a shell with ulimit")
+    def test_a_disk_that_fills_up(self):
+        before = sorted(os.listdir(self.folder))
+        done = subprocess.run(["sh", "-c", 'trap "" XFSZ; ulimit -f 100; exec "$@"', "sh", TOOL, self.scan.stl,
+                               "--teeth", self.path("teeth")], capture_output=True, text=True, timeout=300)
+        self.assertEqual(done.returncode, 2, done)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertIn("cannot be written", done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+
 def read_ply(path):
     with open(path, "rb") as f:
         data = f.read()

@@ -1,0 +1,68 @@
+#include "mesh/output_file.h"
+
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <random>
+
+#include "base/error.h"
+
+namespace ts::mesh {
+namespace {
+
+std::string reason(const std::string &otherwise) {
+  return errno ? std::strerror(errno) : otherwise;
+}
+
+}  // namespace
+
+void OutputFile::fail(const std::string &why) const {
+  throw Error(Fault::file_write, "'" + path_ + "' cannot be written: " + why);
+}
+
+OutputFile::OutputFile(const std::string &path) : path_(path), place_(std::u8string(path.begin(), path.end())) {
+  std::error_code code;
+  if (std::filesystem::exists(place_, code) && !std::filesystem::is_regular_file(place_, code))
+    fail("not a regular file");  // a rename would put a file in the place of a device
+  char suffix[24];
+  std::snprintf(suffix, sizeof suffix, ".part-%08x", static_cast<unsigned>(std::random_device()()));
+  temporary_ = place_;
+  temporary_ += suffix;
+  errno = 0;
+  out_.open(temporary_, std::ios::binary | std::ios::trunc);
+  if (!out_) fail(reason("cannot be opened"));
+}
+
+OutputFile::~OutputFile() {
+  if (temporary_.empty()) return;
+  out_.close();
+  std::error_code code;
+  std::filesystem::remove(temporary_, code);
+}
+
+void OutputFile::write(std::string_view bytes) {
+  errno = 0;
+  if (!out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) fail(reason("write error"));
+}
+
+void OutputFile::put(std::uint32_t value) {
+  char bytes[4];
+  for (int i = 0; i < 4; ++i) bytes[i] = static_cast<char>(value >> 8 * i);
+  write({bytes, 4});
+}
+
+void OutputFile::put(float value) {
+  put(std::bit_cast<std::uint32_t>(value));
+}
+
+void OutputFile::commit() {
+  errno = 0;
+  out_.close();
+  if (!out_) fail(reason("write error"));
+  std::error_code code;
+  std::filesystem::rename(temporary_, place_, code);
+  if (code) fail(code.message());
+  temporary_.clear();
+}
+
+}  // namespace ts::mesh

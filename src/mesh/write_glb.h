@@ -1,0 +1,11 @@
+// glTF 2.0 in one binary file (Khronos: glTF 2.0 Specification, 4.4 "Binary glTF Layout").
+#pragma once
+
+#include "mesh/output_file.h"
+#include "mesh/write.h"
+
+namespace ts::mesh {
+
+void write_glb(OutputFile &out, const OutputMesh &mesh);
+
+}  // namespace ts::mesh
