@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """A simulated user on the labelled scans: N/2 clicks, then corrections of the worst tooth until every tooth is good enough.
 
-    user.py [--library build/release/src/api/libtoothseg.so] [--scans ../shared/data/scans] [--only SUBSTRING] [--most 20]
+    user.py [--library build/release/src/api/libtoothseg.so] [--scans ../shared/data/scans] [--only SUBSTRING] [--most 40]
 
 It sees the reference labels, as a person sees the crowns. After the clicks, one for every two teeth, it takes the tooth with
 the least IoU that is under the target (.95 on scans with a mean edge under .5 mm, .90 on others; ts_get_labels against the
-reference), finds the largest connected piece that is missing from it or too much, and clicks its middle: "this too"
+reference), finds the largest connected piece that is missing from it or too much, and draws the reference border beside it, a point a
+millimetre (ts_cut_draw: one interaction); where that is refused or no help it clicks the middle of the piece: "this too"
 (ts_tooth_include) or "not this" (ts_tooth_exclude). A correction after which the tooth is no better is taken back
 (ts_undo) and the next largest piece tried; each try counts as an interaction, refused ones too. A crown that has no tooth is
-clicked. It gives up on a tooth after five tries without gain.
+clicked. It gives up on a tooth after ten tries without gain.
 """
 import argparse
 import json
@@ -41,6 +42,7 @@ class Arch:
         a, b = face[pair], face[pair + 1]
         d = np.linalg.norm(self.middle[a] - self.middle[b], axis=1) + 1e-9
         self.beside = coo_matrix((np.r_[d, d], (np.r_[a, b], np.r_[b, a])), shape=(len(f), len(f))).tocsr()
+        self.pairs = edges[pair], a, b  # edges, and the two faces of each
         self.edge = float(np.linalg.norm(v[edges[:, 0]] - v[edges[:, 1]], axis=1).mean())
         self.teeth = [int(t) for t in np.unique(reference) if t > 0]
 
@@ -62,8 +64,30 @@ class Arch:
             left[i], left[:, j] = 0, 0
         return out
 
+    def border_beside(self, own, piece):
+        """The border of the faces `own` as far as it runs along the faces `piece`: its longest line, a point a millimetre."""
+        edge, a, b = self.pairs
+        line = edge[(own[a] != own[b]) & (piece[a] | piece[b])]
+        if len(line) < 2:
+            return None
+        names, ends = np.unique(line, return_inverse=True)
+        ends = ends.reshape(-1, 2)
+        d = np.linalg.norm(self.v[line[:, 0]] - self.v[line[:, 1]], axis=1)
+        graph = coo_matrix((np.r_[d, d], (np.r_[ends[:, 0], ends[:, 1]], np.r_[ends[:, 1], ends[:, 0]])), shape=(len(names),) * 2).tocsr()
+        first = int(np.where(np.isinf(far := dijkstra(graph, indices=0)), -1, far).argmax())
+        far, before = dijkstra(graph, indices=first, return_predecessors=True)
+        at = int(np.where(np.isinf(far), -1, far).argmax())
+        way = [at]
+        while before[way[-1]] >= 0:
+            way.append(int(before[way[-1]]))
+        points = self.v[names[way]]
+        along = np.r_[0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))]
+        if along[-1] < 1:
+            return None
+        return points[[int(np.abs(along - t).argmin()) for t in np.linspace(0, along[-1], int(along[-1]) + 2)]]
+
     def pieces(self, mask):
-        """Connected pieces of a set of faces, largest first: area and the place deepest inside."""
+        """Connected pieces of a set of faces, largest first: area, the place deepest inside, and the faces."""
         faces = np.flatnonzero(mask)
         if not len(faces):
             return []
@@ -75,28 +99,34 @@ class Arch:
             own = np.flatnonzero(piece == k)
             rim = own[inner[own]]
             depth = dijkstra(graph, indices=rim, min_only=True)[own] if len(rim) else np.zeros(len(own))
-            out.append((float(self.area[faces[own]].sum()), self.middle[faces[own[depth.argmax()]]]))
+            out.append((float(self.area[faces[own]].sum()), self.middle[faces[own[depth.argmax()]]], faces[own]))
         return sorted(out, key=lambda p: -p[0])
 
 
 def correct(arch, seg, label, tooth, tried):
-    """The next thing a person would do about a tooth, or None: a function, and what it was."""
+    """The next thing a person would do about a tooth, or None: what, and where."""
     labels = seg.labels()
     own = arch.reference == tooth
     if label is None:
-        options = [("click", a, p) for a, p in arch.pieces(own)]
+        options = [("click", *p) for p in arch.pieces(own)]
     else:
-        options = [("include", a, p) for a, p in arch.pieces(own & (labels != label))]
-        options += [("exclude", a, p) for a, p in arch.pieces(~own & (labels == label))]
-    for what, _, p in sorted(options, key=lambda o: -o[1]):
-        if not any(w == what and np.linalg.norm(p - q) < 0.5 for w, q in tried):
-            return what, p
+        options = [("include", *p) for p in arch.pieces(own & (labels != label))]
+        options += [("exclude", *p) for p in arch.pieces(~own & (labels == label))]
+    for what, _, at, faces in sorted(options, key=lambda o: -o[1]):
+        if what != "click" and not any(w == "draw" and np.linalg.norm(at - q) < 0.5 for w, q, _ in tried):
+            piece = np.zeros(len(own), bool)
+            piece[faces] = True
+            stroke = arch.border_beside(own, piece)
+            if stroke is not None:
+                return "draw", at, stroke
+        if not any(w == what and np.linalg.norm(at - q) < 0.5 for w, q, _ in tried):
+            return what, at, None
     return None
 
 
 def work_on(arch, seg, target, most):
     """Interactions of each kind, teeth given up."""
-    count = {"include": 0, "exclude": 0, "click": 0, "refused": 0, "in vain": 0}
+    count = {"include": 0, "exclude": 0, "draw": 0, "click": 0, "refused": 0, "in vain": 0}
     tried, given_up = {t: [] for t in arch.teeth}, set()
     for _ in range(most):
         now = arch.matched(seg.labels())
@@ -109,14 +139,16 @@ def work_on(arch, seg, target, most):
         if step is None or len(tried[tooth]) >= 10:
             given_up.add(tooth)
             continue
-        what, p = step
+        what, at, stroke = step
         count[what] += 1
         tried[tooth].append(step)
         try:
             if what == "click":
-                seg.click(p)
+                seg.click(at)
+            elif what == "draw":
+                seg.draw(seg.tooth_of_label(label), stroke)
             else:
-                seg.correct(what, seg.tooth_of_label(label), p)
+                seg.correct(what, seg.tooth_of_label(label), at)
         except Failure:
             count["refused"] += 1
             continue
@@ -134,7 +166,7 @@ def main():
     parser.add_argument("--library", default=os.path.join(ROOT, "build", "release", "src", "api", "libtoothseg.so"))
     parser.add_argument("--scans", default=os.path.join(ROOT, "..", "shared", "data", "scans"))
     parser.add_argument("--only", default="")
-    parser.add_argument("--most", type=int, default=20)
+    parser.add_argument("--most", type=int, default=40)
     parser.add_argument("--json")
     options = parser.parse_args()
     library = Library(options.library, os.cpu_count())
@@ -152,13 +184,13 @@ def main():
         first = [i for _, i in arch.matched(seg.labels()).values()]
         count, given_up = work_on(arch, seg, target, options.most)
         last = [i for _, i in arch.matched(seg.labels()).values()]
-        total = len(clicks) + count["include"] + count["exclude"] + count["click"]
+        total = len(clicks) + sum(count[what] for what in ("include", "exclude", "draw", "click"))
         everything.append((len(arch.teeth), total, min(last) >= target))
         rows.append([name, len(arch.teeth), "%.2f" % arch.edge, "%.2f" % target, len(clicks), count["click"], count["include"],
-                     count["exclude"], count["refused"], count["in vain"], total, "%.3f" % min(first), "%.3f" % min(last),
+                     count["exclude"], count["draw"], count["refused"], count["in vain"], total, "%.3f" % min(first), "%.3f" % min(last),
                      "%.4f" % np.mean(first), "%.4f" % np.mean(last), len(given_up)])
         print("%-22s %d interactions, least %.3f -> %.3f" % (name, total, min(first), min(last)), file=sys.stderr, flush=True)
-    head = ["scan", "teeth", "edge", "target", "clicks", "more clicks", "this too", "not this", "refused", "in vain", "interactions",
+    head = ["scan", "teeth", "edge", "target", "clicks", "more clicks", "this too", "not this", "drawn", "refused", "in vain", "interactions",
             "least before", "least after", "mean before", "mean after", "given up"]
     print(table(head, rows))
     if everything:
