@@ -34,8 +34,10 @@ static const char help[] =
     "  --features OUT.json   the feature points, their groups and the arch curve\n"
     "  --json3dts OUT.json   FDI numbers and instances a vertex of SCAN, as the 3DTeethSeg challenge has them: a vertex\n"
     "                        is of the tooth, or gingiva, that most of its faces are of; of a tooth where as many are\n"
-    "  --teeth DIR           the mesh of each tooth, tooth_LABEL.stl, and gingiva.stl, cut exactly along the cuts;\n"
-    "                        DIR is made if it is not there\n"
+    "  --session FILE        the session; where the file is there already, it is gone on with first (it has its own\n"
+    "                        options: --preset and --set are not for it)\n"
+    "  --teeth DIR           the mesh of each tooth, tooth_LABEL.stl, or with --fdi tooth_NUMBER.stl, and gingiva.stl,\n"
+    "                        cut exactly along the cuts; DIR is made if it is not there\n"
     "  --closed              these meshes watertight: every rim closed by a smooth membrane\n"
     "\n"
     "  --help, --version\n"
@@ -101,6 +103,7 @@ static const char **file_of(options *o, const char *option) {
   if (strcmp(option, "--features") == 0) return &o->features;
   if (strcmp(option, "--json3dts") == 0) return &o->json3dts;
   if (strcmp(option, "--teeth") == 0) return &o->teeth;
+  if (strcmp(option, "--session") == 0) return &o->session;
   return NULL;
 }
 

@@ -43,10 +43,21 @@ static ts_status prepare(const options *o, const ts_features *features, ts_segme
   return ts_segmentation_create(features, &segment, NULL, out);
 }
 
+static int is_there(const char *path) {
+  FILE *file = path == NULL ? NULL : fopen(path, "rb");
+  if (file == NULL) return 0;
+  fclose(file);
+  return 1;
+}
+
 int run_prepare(run *r) {
   const char *scan = r->options->scan;
   ts_status status = make_context(r->options, &r->context);
   if (status == TS_OK) status = load(r->options, r->context, &r->model);
+  if (status == TS_OK && is_there(r->options->session)) {
+    status = ts_session_load(r->model, r->options->session, NULL, &r->features, &r->segmentation);
+    return status == TS_OK ? 1 : complain_status(r->options->session, status);
+  }
   if (status == TS_OK) status = ts_detect_features(r->model, NULL, NULL, &r->features);
   if (status == TS_OK) status = prepare(r->options, r->features, &r->segmentation);
   return status == TS_OK ? 1 : complain_status(scan, status);
@@ -125,7 +136,7 @@ static void note_failure(run *r, click *c) {
 /* A click that fails for its own sake leaves the others standing; a lack of memory does not. */
 static int is_about_the_click(ts_status status) {
   return status == TS_E_CLICK_OFF_SURFACE || status == TS_E_CLICK_ON_GINGIVA || status == TS_E_NO_CUT ||
-         status == TS_E_INVALID_ARGUMENT;
+         status == TS_E_INVALID_ARGUMENT || status == TS_E_LOCKED;
 }
 
 /* All teeth separated, along the arch. */

@@ -20,7 +20,7 @@
 
 #include "complain.h"
 
-/* The one place where a file is named for its tooth; label 0: the gingiva. To be freed. */
+/* The one place where a file is named for its tooth, by its label or number; 0: the gingiva. To be freed. */
 static char *path_for(const char *directory, uint32_t label) {
   const size_t size = strlen(directory) + 40;
   char *path = malloc(size);
@@ -61,7 +61,7 @@ int teeth_announce_all(const run *r, teeth_files *files, staging *s) {
   int good = 1;
   if (r->options->teeth == NULL) return 1;
   for (i = 0; good && i < r->tooth_count; ++i)
-    good = announce(r->options, files, s, path_for(r->options->teeth, r->teeth[i].label));
+    good = announce(r->options, files, s, path_for(r->options->teeth, r->options->fdi ? r->numbers[i].fdi : r->teeth[i].label));
   return good;
 }
 

@@ -30,9 +30,9 @@ int complain(const char *format, ...) {
 }
 
 static int announce(const options *o, staging *s) {
-  const char *const outputs[] = {o->labels, o->cuts, o->ply, o->report, o->features, o->json3dts};
+  const char *const outputs[] = {o->labels, o->cuts, o->ply, o->report, o->features, o->json3dts, o->session};
   const char *const inputs[] = {o->scan, o->clicks};
-  return staging_announce(s, outputs, 6, inputs, 2);
+  return staging_announce(s, outputs, 7, inputs, 2);
 }
 
 static int write_one(const run *r, staging *s, const char *path, int (*write)(const run *, FILE *)) {
@@ -47,7 +47,8 @@ static int write_all(run *r, const teeth_files *teeth, staging *s) {
   return teeth_write(r, teeth, s) && write_one(r, s, o->labels, write_labels) && write_one(r, s, o->cuts, write_cuts) &&
          write_one(r, s, o->ply, write_ply) && write_one(r, s, o->report, write_report) &&
          write_one(r, s, o->features, write_features) &&
-         write_one(r, s, o->json3dts, write_json3dts) && staging_commit(s);
+         write_one(r, s, o->json3dts, write_json3dts) && write_one(r, s, o->session, write_session) &&
+         staging_commit(s);
 }
 
 static int segment(const options *o) {

@@ -152,3 +152,14 @@ int write_ply(const run *r, FILE *file) {
   free(labels);
   return status == TS_OK ? 1 : complain_status(r->options->scan, status);
 }
+
+int write_session(const run *r, FILE *file) {
+  uint32_t size = 0;
+  char *text = NULL;
+  ts_status status = ts_session_write(r->segmentation, NULL, 0, &size);
+  if (status == TS_OK && (text = malloc(size)) == NULL) return complain("%s: out of memory", r->options->session);
+  if (status == TS_OK) status = ts_session_write(r->segmentation, text, size, &size);
+  if (status == TS_OK) fwrite(text, 1, size, file);
+  free(text);
+  return status == TS_OK ? 1 : complain_status(r->options->session, status);
+}

@@ -15,5 +15,6 @@ int write_ply(const run *r, FILE *file);
 int write_report(const run *r, FILE *file);
 int write_features(const run *r, FILE *file);
 int write_json3dts(const run *r, FILE *file);
+int write_session(const run *r, FILE *file);
 
 #endif

@@ -475,6 +475,34 @@ class Numbers(ToolTest):
             self.assertEqual({int(x) for x in f}, {0, 13, 23})
 
 
+class Session(ToolTest):
+    def test_what_was_done_is_there_again(self):
+        done = self.run_tool(self.scan.ply, "--session", "s.json", "--labels", "a.txt")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertEqual(self.load("s.json")["toothseg_session"], 1)
+        again = self.run_tool(self.scan.ply, "--session", "s.json", "--labels", "b.txt")
+        self.assertEqual(again.returncode, 0, again)
+        self.assertIn(" from 0 clicks", again.stdout)
+        with open(self.path("a.txt")) as a, open(self.path("b.txt")) as b:
+            self.assertEqual(a.read(), b.read())
+
+    def test_a_session_that_is_none_is_refused_and_stays(self):
+        with open(self.path("s.json"), "w") as f:
+            f.write("{}")
+        done = self.run_tool(self.scan.ply, "--session", "s.json", "--labels", "l.txt")
+        self.assertEqual(done.returncode, 2, done)
+        self.assertIn("TS_E_FILE_FORMAT", done.stderr)
+        self.assertFalse(os.path.exists(self.path("l.txt")))
+        with open(self.path("s.json")) as f:
+            self.assertEqual(f.read(), "{}")
+
+    def test_teeth_are_named_by_their_numbers(self):
+        done = self.run_tool(self.scan.ply, "--jaw", "upper", "--fdi", "--teeth", "teeth", "--report", "r.json")
+        self.assertEqual(done.returncode, 0, done)
+        wanted = {"tooth_%d.stl" % t["fdi"] for t in self.load("r.json")["teeth"]}
+        self.assertEqual(set(os.listdir(self.path("teeth"))), wanted | {"gingiva.stl"})
+
+
 class Clicks(ToolTest):
     def test_from_a_file(self):
         auto = self.run_tool(self.scan.stl, "--auto", "--report", "auto.json", "--labels", "auto.txt")
