@@ -134,9 +134,14 @@ static void files_are_whole_or_not_there(void) {
 /* `text` with the first `from` in it as `to`. */
 static char *altered(const char *text, const char *from, const char *to) {
   const char *at = strstr(text, from);
-  char *out = must_have(strlen(text) + strlen(to) + 1);
+  const size_t rest = strlen(text) + 1, middle = strlen(to);
+  char *out = must_have(rest + middle);
+  size_t before;
   if (!CHECK(at != NULL)) at = text, from = "";
-  sprintf(out, "%.*s%s%s", (int)(at - text), text, to, at + strlen(from));
+  before = (size_t)(at - text);
+  memcpy(out, text, before);
+  memcpy(out + before, to, middle);
+  memcpy(out + before + middle, at + strlen(from), rest - before - strlen(from));
   return out;
 }
 
