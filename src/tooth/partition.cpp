@@ -80,15 +80,15 @@ class Bisectors {
  public:
   Bisectors(const mesh::Surface &surface, const Cells &cells, const Claims &claims, std::span<const Tooth *const> teeth)
       : surface_(surface), teeth_(teeth) {
-    Vec<std::array<Index, 3>> todo;  // face and two teeth
+    Vec<std::array<Index, 3>> shared;  // face and two teeth
     claims.each_cell([&](Index cell, std::span<const std::pair<Index, Index>> by) {
       for (std::size_t i = 0; i < by.size(); ++i)
         for (std::size_t j = i + 1; j < by.size(); ++j)
-          todo.push_back({cells.face_of(cell), by[i].second, by[j].second});
+          shared.push_back({cells.face_of(cell), by[i].second, by[j].second});
     });
-    std::sort(todo.begin(), todo.end());
-    todo.erase(std::unique(todo.begin(), todo.end()), todo.end());
-    for (const auto &[f, a, b] : todo) add(f, a, b);
+    std::sort(shared.begin(), shared.end());
+    shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
+    for (const auto &[f, a, b] : shared) add(f, a, b);
   }
 
   void append_to(Vec<CutLine> &lines) const {
