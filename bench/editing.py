@@ -3,9 +3,9 @@
 
     editing.py [--triangles 300000] [--build build/release] [--seed 1] [--threads 2] [--json OUT]
 
-Every call is made for every tooth, or pair, of the arch and taken back; each between two clicks. Medians, and the ratio of
-the medians to that of the clicks: target 1. Clicks separate two teeth, so do `split` and corrections on which a second tooth
-lies.
+Every call is made for every tooth, or pair, of the arch and taken back; each after a click on the same tooth, which is taken
+back as well. Medians, and of call over its click: target 1. Clicks separate two teeth, so do `split` and corrections on which
+a second tooth lies.
 """
 import argparse
 import ctypes
@@ -28,7 +28,7 @@ from text import number, table  # noqa: E402
 
 class Measured:
     def __init__(self):
-        self.ms, self.refused = {}, {}
+        self.ms, self.refused, self.over = {}, {}, {}
 
     def time(self, name, call):
         begin = time.perf_counter()
@@ -53,29 +53,35 @@ def measure(library, scan, v, f, seed):
     gum = np.flatnonzero(labels == 0)
     point = {g: [tuple(p.position) for p in scan.points() if p.group == g] for g in ids}
 
-    def and_back(name, call):
-        if out.time("click", lambda: seg.click(clicks[ids[random.integers(len(ids))]])):
+    def and_back(name, call, on, before=None):
+        clicked = out.time("click", lambda: seg.click(clicks[on]))
+        if clicked:
             seg.undo()
+        if before:
+            before()
         if out.time(name, call):
+            if clicked:
+                out.over.setdefault(name, []).append(out.ms[name][-1] / out.ms["click"][-1])
             out.time("undo", seg.undo)
             out.time("redo", lambda: library.call("ts_redo", seg.handle))
+            seg.undo()
+        if before:
             seg.undo()
 
     for t in ids:
         own = np.flatnonzero(labels == seg.tooth(t).label)
         beside = middle[gum[((middle[gum] - clicks[t]) ** 2).sum(1).argsort()[len(own) // 20]]]
         inside = middle[random.choice(own)]
-        and_back("include", lambda: seg.correct("include", t, beside))
-        and_back("exclude", lambda: seg.correct("exclude", t, inside))
-        and_back("remove", lambda: library.call("ts_tooth_remove", seg.handle, u32(t)))
-        and_back("lock", lambda: library.call("ts_tooth_set_locked", seg.handle, u32(t), u32(1)))
+        and_back("include", lambda: seg.correct("include", t, beside), t)
+        and_back("exclude", lambda: seg.correct("exclude", t, inside), t)
+        and_back("remove", lambda: library.call("ts_tooth_remove", seg.handle, u32(t)), t)
+        and_back("move", lambda: seg.move_point(t, point[t][0], inside), t)
+        and_back("lock", lambda: library.call("ts_tooth_set_locked", seg.handle, u32(t), u32(1)), t)
     for a, b in zip(ids, ids[1:]):
         merge = lambda: library.call("ts_tooth_merge", seg.handle, u32(a), u32(b), None)  # noqa: E731
-        and_back("merge", merge)
-        merge()
+        and_back("merge", merge, a)
         and_back("split", lambda: library.call("ts_tooth_split", seg.handle, u32(a), (f64 * 3)(*point[a][0]),
-                                               (f64 * 3)(*point[b][0]), None, ctypes.byref(u32())))
-        seg.undo()
+                                               (f64 * 3)(*point[b][0]), None, ctypes.byref(u32())), a, merge)
     return out
 
 
@@ -94,9 +100,8 @@ def main():
         v, f = score.read_ply(path)
         library = Library(os.path.join(o.build, "src", "api", "libtoothseg.so"), o.threads)
         out = measure(library, Scan(library, path), v, f, o.seed)
-    click = np.median(out.ms["click"])
-    rows = [[n, len(x), out.refused.get(n, 0), number(float(np.median(x)), 2), number(float(np.median(x) / click), 2)]
-            for n, x in out.ms.items()]
+    rows = [[n, len(x), out.refused.get(n, 0), number(float(np.median(x)), 2),
+             number(float(np.median(out.over.get(n) or x / np.median(out.ms["click"]))), 2)] for n, x in out.ms.items()]
     print(table(["call", "calls", "refused", "median, ms", "over a click"], rows))
     if o.json:
         with open(o.json, "w") as file:

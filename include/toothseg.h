@@ -738,6 +738,13 @@ TS_API TS_NODISCARD ts_status ts_tooth_exclude(ts_segmentation *segmentation, ui
 TS_API TS_NODISCARD ts_status ts_tooth_split(ts_segmentation *segmentation, uint32_t tooth, const double keep[3],
                                              const double part[3], ts_job *job, uint32_t *second);
 
+/** Moves a feature point of the tooth: the one that lies at `from` is no longer used, and a disc of seed_radius around `to` is
+ *  held instead; both in mm, within click_reach of the surface. The tooth is cut anew, as are separated teeth on which the
+ *  disc lies. Errors: TS_E_NO_CHANGE where no point of the tooth lies at `from`, or one lies at `to` already; TS_E_NO_CUT
+ *  also where what is held for another tooth lies at `to`; else as ts_tooth_include. */
+TS_API TS_NODISCARD ts_status ts_tooth_move_point(ts_segmentation *segmentation, uint32_t tooth, const double from[3],
+                                                  const double to[3], ts_job *job);
+
 /** One tooth of two: the points of `other` are held for `tooth`, and `other` is no tooth any more. Errors: TS_E_NO_CUT,
  *  TS_E_NO_CHANGE where both are the same, TS_E_LOCKED, TS_E_NOT_FOUND, TS_E_CANCELLED, usage. */
 TS_API TS_NODISCARD ts_status ts_tooth_merge(ts_segmentation *segmentation, uint32_t tooth, uint32_t other, ts_job *job);

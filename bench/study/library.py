@@ -217,6 +217,9 @@ class Segmentation:
         """`what`: include or exclude."""
         self.library.call("ts_tooth_" + what, self.handle, u32(tooth), (f64 * 3)(*position), None)
 
+    def move_point(self, tooth, start, to):
+        self.library.call("ts_tooth_move_point", self.handle, u32(tooth), (f64 * 3)(*start), (f64 * 3)(*to), None)
+
     def draw(self, tooth, points):
         points = np.ascontiguousarray(points, np.float64)
         self.library.call("ts_cut_draw", self.handle, u32(tooth), points.ctypes.data_as(c.c_void_p), u32(len(points)), None)

@@ -35,8 +35,7 @@ void edit_tooth(ts_segmentation *s, Index group, ts_job *job, CutEdit edit) {
   command.act = Command::Act::edit;
   command.tooth = group;
   command.edit = std::move(edit);
-  tooth::Session next = execute(*s->prepared, s->session, command, progress_of(job));
-  commit(*s, std::move(next), std::move(command));
+  change(*s, std::move(command), progress_of(job));
 }
 
 Vec3 vector_of(const double *p) {
@@ -136,8 +135,7 @@ ts_status ts_cut_reset(ts_segmentation *segmentation, uint32_t tooth) {
     Command command;
     command.act = Command::Act::reset;
     command.tooth = group;
-    ts::tooth::Session next = execute(*segmentation->prepared, segmentation->session, command, {});
-    commit(*segmentation, std::move(next), std::move(command));
+    change(*segmentation, std::move(command));
   });
 }
 

@@ -84,8 +84,12 @@ Session execute(const Prepared &p, const Session &session, Command &command, con
       correct(leave_out(groups, session, tooth(command.tooth), point_on(p, command.at.at(0)), progress));
       break;
     case Act::divide:
-      correct(divide(groups, session, tooth(command.tooth), point_on(p, command.at.at(0)), point_on(p, command.at.at(1)),
-                     progress));
+      correct(divide(groups, session, tooth(command.tooth), point_on(p, command.at.at(0)),
+                     point_on(p, command.at.at(1)), progress));
+      break;
+    case Act::move:
+      correct(move_point(groups, session, tooth(command.tooth), point_on(p, command.at.at(0)),
+                         point_on(p, command.at.at(1)), progress));
       break;
     case Act::unite: correct(unite(groups, session, tooth(command.tooth), tooth(command.other), progress)); break;
     case Act::remove: next.remove(command.tooth); break;
@@ -110,6 +114,12 @@ void commit(ts_segmentation &s, Session next, Command command) {
   s.session = std::move(next);
   s.changes = std::move(ids);
   tell(s);
+}
+
+void change(ts_segmentation &s, Command command, const Progress &progress) {
+  const AllocatorScope scope(s.prepared->context().allocator);
+  Session next = execute(*s.prepared, s.session, command, progress);
+  commit(s, std::move(next), std::move(command));
 }
 
 void tell(const ts_segmentation &s) {

@@ -23,7 +23,8 @@ struct Command {
     assign_numbers,
     set_number,
     edit,
-    reset
+    reset,
+    move
   };
 
   Act act = Act::click;

@@ -70,13 +70,6 @@ Row row_of(const Prepared &p, const tooth::Session &session) {
   return row;
 }
 
-// A step whose outcome are numbers.
-void renumber(ts_segmentation *s, Command command) {
-  const AllocatorScope scope(s->prepared->context().allocator);
-  tooth::Session next = execute(*s->prepared, s->session, command, {});
-  commit(*s, std::move(next), std::move(command));
-}
-
 }  // namespace
 
 Numbers numbers_after(const Prepared &p, const tooth::Session &session, const Command &command) {
@@ -110,7 +103,7 @@ ts_status ts_assign_numbers(ts_segmentation *segmentation, const ts_number_optio
     Command command;
     command.act = Command::Act::assign_numbers;
     command.numbering = inner_options(read_options(options, public_options({}), "ts_number_options"));
-    renumber(segmentation, std::move(command));
+    change(*segmentation, std::move(command));
   });
 }
 
@@ -124,7 +117,7 @@ ts_status ts_set_number(ts_segmentation *segmentation, uint32_t tooth, uint32_t 
     command.act = Command::Act::set_number;
     command.tooth = *group;
     command.number = fdi;
-    renumber(segmentation, std::move(command));
+    change(*segmentation, std::move(command));
   });
 }
 

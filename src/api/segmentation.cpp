@@ -133,10 +133,8 @@ ts_status ts_segment_click(ts_segmentation *segmentation, const double position[
     need(segmentation, "segmentation");
     need(position, "position");
     need_finite(position, "position");
-    const AllocatorScope scope(segmentation->prepared->context().allocator);
-    Command command{Command::Act::click, ts::mesh::none, ts::mesh::none, {Vec3(position[0], position[1], position[2])}};
-    ts::tooth::Session next = execute(*segmentation->prepared, segmentation->session, command, progress_of(job));
-    commit(*segmentation, std::move(next), std::move(command));
+    const Vec3 at(position[0], position[1], position[2]);
+    change(*segmentation, {Command::Act::click, ts::mesh::none, ts::mesh::none, {at}}, progress_of(job));
     if (click) *click = segmentation->session.clicks() - 1;
   });
 }

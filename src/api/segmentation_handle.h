@@ -102,6 +102,7 @@ tooth::Numbers numbers_after(const Prepared &prepared, const tooth::Session &ses
 // nothing has changed.
 void commit(ts_segmentation &s, tooth::Session next, Command command);
 void tell(const ts_segmentation &s);  // the listener, of `changes`
+void change(ts_segmentation &s, Command command, const Progress &progress = {});  // both, with the context's allocator
 
 // Edits of cuts that `before` had are made again where the tooth was cut anew; those that cannot be are told in the log.
 void edit_again(const Prepared &prepared, const tooth::Session &before, tooth::Session &next);

@@ -21,13 +21,6 @@ Vec3 point_of(const double position[3], const char *name) {
   return {position[0], position[1], position[2]};
 }
 
-// A change of the teeth as the command says.
-void change(ts_segmentation *s, Command command, ts_job *job = nullptr) {
-  const AllocatorScope scope(s->prepared->context().allocator);
-  tooth::Session next = execute(*s->prepared, s->session, command, progress_of(job));
-  commit(*s, std::move(next), std::move(command));
-}
-
 // To `there`, by `move`. What was worked out of clicks is that of others from then on.
 template <class Move>
 void travel(ts_segmentation *s, const tooth::Session &there, const Move &move) {
@@ -59,9 +52,8 @@ Vec<ts_review_item> review(const ts_segmentation &s) {
     item.group_confidence = g < groups.size() ? groups[g].confidence : 1;
     if (!t || t->confidence < kSure || t->warnings) items.push_back(item);
   }
-  std::ranges::stable_sort(items, [](const ts_review_item &a, const ts_review_item &b) {
-    return a.confidence < b.confidence;
-  });
+  std::ranges::stable_sort(
+      items, [](const ts_review_item &a, const ts_review_item &b) { return a.confidence < b.confidence; });
   return items;
 }
 
@@ -71,7 +63,7 @@ Vec<ts_review_item> review(const ts_segmentation &s) {
 ts_status ts_segment_all(ts_segmentation *segmentation, ts_job *job) {
   return guarded(__func__, [&] {
     need(segmentation, "segmentation");
-    change(segmentation, {Act::all}, job);
+    change(*segmentation, {Act::all}, progress_of(job));
   });
 }
 
@@ -87,14 +79,14 @@ ts_status ts_get_review(const ts_segmentation *segmentation, ts_review_item *ite
 ts_status ts_tooth_include(ts_segmentation *segmentation, uint32_t tooth, const double position[3], ts_job *job) {
   return guarded(__func__, [&] {
     const Index group = group_of(segmentation, tooth);
-    change(segmentation, {Act::take_in, group, ts::mesh::none, {point_of(position, "position")}}, job);
+    change(*segmentation, {Act::take_in, group, ts::mesh::none, {point_of(position, "position")}}, progress_of(job));
   });
 }
 
 ts_status ts_tooth_exclude(ts_segmentation *segmentation, uint32_t tooth, const double position[3], ts_job *job) {
   return guarded(__func__, [&] {
     const Index group = group_of(segmentation, tooth);
-    change(segmentation, {Act::leave_out, group, ts::mesh::none, {point_of(position, "position")}}, job);
+    change(*segmentation, {Act::leave_out, group, ts::mesh::none, {point_of(position, "position")}}, progress_of(job));
   });
 }
 
@@ -104,26 +96,35 @@ ts_status ts_tooth_split(ts_segmentation *segmentation, uint32_t tooth, const do
     const Index group = group_of(segmentation, tooth);
     const Vec3 kept = point_of(keep, "keep"), other = point_of(part, "part");
     const Index made = segmentation->prepared->segmenter->prepared(segmentation->session.among()).groups;
-    change(segmentation, {Act::divide, group, ts::mesh::none, {kept, other}}, job);
+    change(*segmentation, {Act::divide, group, ts::mesh::none, {kept, other}}, progress_of(job));
     if (second) *second = id_of(*segmentation, made);
+  });
+}
+
+ts_status ts_tooth_move_point(ts_segmentation *segmentation, uint32_t tooth, const double from[3], const double to[3],
+                              ts_job *job) {
+  return guarded(__func__, [&] {
+    const Index group = group_of(segmentation, tooth);
+    const Vec3 old = point_of(from, "from"), other = point_of(to, "to");
+    change(*segmentation, {Act::move, group, ts::mesh::none, {old, other}}, progress_of(job));
   });
 }
 
 ts_status ts_tooth_merge(ts_segmentation *segmentation, uint32_t tooth, uint32_t other, ts_job *job) {
   return guarded(__func__, [&] {
     const Index group = group_of(segmentation, tooth);
-    change(segmentation, {Act::unite, group, group_of(segmentation, other), {}}, job);
+    change(*segmentation, {Act::unite, group, group_of(segmentation, other), {}}, progress_of(job));
   });
 }
 
 ts_status ts_tooth_remove(ts_segmentation *segmentation, uint32_t tooth) {
-  return guarded(__func__, [&] { change(segmentation, {Act::remove, group_of(segmentation, tooth)}); });
+  return guarded(__func__, [&] { change(*segmentation, {Act::remove, group_of(segmentation, tooth)}); });
 }
 
 ts_status ts_tooth_set_locked(ts_segmentation *segmentation, uint32_t tooth, uint32_t locked) {
   return guarded(__func__, [&] {
     if (locked > 1) throw Error(Fault::invalid_argument, "locked is " + std::to_string(locked) + ", not 0 or 1");
-    change(segmentation, {locked ? Act::lock : Act::unlock, group_of(segmentation, tooth)});
+    change(*segmentation, {locked ? Act::lock : Act::unlock, group_of(segmentation, tooth)});
   });
 }
 

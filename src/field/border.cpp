@@ -6,7 +6,7 @@
 
 namespace ts::field {
 
-Border::Border(const Solver &solver, std::span<const Vec<Index>> added) : solver_(&solver) {
+Border::Border(const Solver &solver, std::span<const Vec<Index>> added, const Executor &executor) : solver_(&solver) {
   const Factor &f = solver.factor();
   const mesh::Surface &surface = f.surface();
   Vec<std::array<Index, 2>> of;  // place, added node; by place
@@ -40,7 +40,7 @@ Border::Border(const Solver &solver, std::span<const Vec<Index>> added) : solver
   member_ = Eigen::MatrixXd::Zero(rank, extra);
   for (Eigen::Index i = 0; i < rank; ++i) member_(i, static_cast<Eigen::Index>(node[static_cast<std::size_t>(i)])) = 1;
 
-  forward_ = std::make_unique<Forward>(f, places);
+  forward_ = std::make_unique<Forward>(f, places, executor);
   measures_ = forward_->measures();
   llt_.compute(forward_->products(*forward_));
   if (llt_.info() != Eigen::Success) throw Error(Fault::solver, "the vertices of the added nodes are not independent");
@@ -66,14 +66,19 @@ Solution Border::extend(const Eigen::VectorXd &at_nodes) const {
 }
 
 Eigen::VectorXd Border::measure(Index vertex) const {
+  const double one = 1;
+  return measure({&vertex, 1}, {&one, 1});
+}
+
+Eigen::VectorXd Border::measure(std::span<const Index> vertices, std::span<const double> weights) const {
+  const Weighed w = weigh(solver_->factor(), vertices, weights);
   const Eigen::Index nodes = measures_.cols();
   Eigen::VectorXd share = Eigen::VectorXd::Zero(nodes + member_.cols());
-  share.head(nodes) = solver_->measure(vertex);
-  const Factor &f = solver_->factor();
-  const Index place = f.place(vertex);
-  if (place == mesh::none || place >= f.interior()) return share;
-  const Eigen::VectorXd drawn = llt_.solve(forward_->products(Forward(f, {&place, 1})));  // G^-1 (A^-1)_Kv
-  share.head(nodes) -= measures_.transpose() * drawn;
+  share.head(nodes) = w.held;
+  if (w.place.empty()) return share;
+  const Forward forward(solver_->factor(), w.place, w.weight);
+  const Eigen::VectorXd drawn = llt_.solve(forward_->products(forward));  // G^-1 (A^-1)_Kv
+  share.head(nodes) += forward.measures().transpose() - measures_.transpose() * drawn;
   share.tail(member_.cols()) = member_.transpose() * drawn;
   return share;
 }

@@ -20,7 +20,7 @@ class Border {
   // `solver` has to outlive this. A node for each of `added`, numbered after the solver's. Of its vertices those count
   // that are free: vertices of the solver's nodes and of nodes added before stay what they are, those on pieces left
   // out are no part of the problem. Throws Fault::no_constraint if that leaves a node without a vertex, Fault::solver.
-  Border(const Solver &solver, std::span<const Vec<Index>> added);
+  Border(const Solver &solver, std::span<const Vec<Index>> added, const Executor &executor);
 
   Index added() const { return static_cast<Index>(member_.cols()); }
 
@@ -29,6 +29,7 @@ class Border {
   Eigen::VectorXd solve_nodes(std::span<const double> held, double alpha) const { return nodal_.solve(held, alpha); }
   Solution extend(const Eigen::VectorXd &at_nodes) const;
   Eigen::VectorXd measure(Index vertex) const;
+  Eigen::VectorXd measure(std::span<const Index> vertices, std::span<const double> weights) const;
 
  private:
   const Solver *solver_;

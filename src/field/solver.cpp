@@ -67,15 +67,14 @@ Vec<double> Solver::extend_to_all(const Eigen::VectorXd &at_nodes) const {
 }
 
 Eigen::VectorXd Solver::measure(Index vertex) const {
-  const Factor &f = *factor_;
-  Eigen::VectorXd share = Eigen::VectorXd::Zero(f.nodes());
-  const Index place = f.place(vertex);
-  if (place == mesh::none) return share;
-  if (place >= f.interior()) {
-    share[place - f.interior()] = 1;
-    return share;
-  }
-  return Forward(f, {&place, 1}).measures().row(0);
+  const double one = 1;
+  return measure({&vertex, 1}, {&one, 1});
+}
+
+Eigen::VectorXd Solver::measure(std::span<const Index> vertices, std::span<const double> weights) const {
+  const Weighed w = weigh(*factor_, vertices, weights);
+  if (w.place.empty()) return w.held;
+  return w.held + Forward(*factor_, w.place, w.weight).measures().transpose();
 }
 
 std::size_t Solver::whole_bytes() const {

@@ -37,8 +37,9 @@ class Solver {
   Vec<double> extend_to_all(const Eigen::VectorXd &at_nodes) const;
 
   // Harmonic measure of a vertex: the share of each node in its value, u(v) = measure . u_F; zero on pieces left out.
-  // Touches the vertex' path to the root of the tree only.
+  // Of several: of the sum of their values with these weights. Touches their paths to the root of the tree only.
   Eigen::VectorXd measure(Index vertex) const;
+  Eigen::VectorXd measure(std::span<const Index> vertices, std::span<const double> weights) const;
 
   const Factor &factor() const { return *factor_; }
   std::size_t bytes() const;                                           // of what is kept for the clicks

@@ -37,26 +37,29 @@ void need_unlocked(const Session &session, Index group) {
   if (session.locked(group)) throw Error(Fault::locked, "the " + name_of(group) + " is locked, and would change");
 }
 
+// The group beside one along the arch; none if there is no other.
+Index beside(const Prepared &p, Index group) {
+  const auto here = std::ranges::find(p.live, group);
+  if (here + 1 < p.live.end()) return *(here + 1);
+  return here != p.live.begin() && here != p.live.end() ? *(here - 1) : mesh::none;
+}
+
 // The teeth of these groups, two at a time as a click has them.
 Correction cut_anew(std::shared_ptr<const Prepared> changed, const Vec<Index> &groups, const Progress &progress) {
   const Prepared &p = *changed;
   Correction c;
   for (std::size_t i = 0; i < groups.size(); i += 2) {
     const bool two = i + 1 < groups.size();
-    const auto here = std::ranges::find(p.live, groups[i]);
     Pick pick;
     pick.target = groups[i];
-    if (two)
-      pick.neighbour = groups[i + 1];
-    else if (here + 1 < p.live.end())
-      pick.neighbour = *(here + 1);
-    else if (here != p.live.begin() && here != p.live.end())
-      pick.neighbour = *(here - 1);
-    const double done = static_cast<double>(i) / static_cast<double>(groups.size());
-    Click click = cut_out(p, at_vertex(p, p.seeds[groups[i]].front()), pick, 0, progress.part(done, 1, "cut"),
-                          two ? Wanted::both : Wanted::target);
-    if (two && click.teeth.size() < 2)
-      throw Error(Fault::no_cut, "no cut is left for the " + name_of(groups[i + 1]));
+    pick.neighbour = two ? groups[i + 1] : beside(p, groups[i]);
+    const Progress part = progress.part(static_cast<double>(i) / static_cast<double>(groups.size()), 1, "cut");
+    if (!two) {
+      c.teeth.push_back(cut_out_target(p, pick, part));
+      continue;
+    }
+    Click click = cut_out(p, at_vertex(p, p.seeds[groups[i]].front()), pick, 0, part);
+    if (click.teeth.size() < 2) throw Error(Fault::no_cut, "no cut is left for the " + name_of(groups[i + 1]));
     std::ranges::move(click.teeth, std::back_inserter(c.teeth));
   }
   c.among = std::move(changed);
@@ -154,6 +157,21 @@ Correction divide(const Prepared &p, const Session &session, Index group, const 
   }
   if (changed->added.size() > p.added.size()) hold_added(*changed);
   return cut_anew(std::move(changed), {group, made}, progress);
+}
+
+Correction move_point(const Prepared &p, const Session &session, Index group, const mesh::SurfacePoint &from,
+                      const mesh::SurfacePoint &to, const Progress &progress) {
+  need_unlocked(session, group);
+  const Index node = p.nodes.of_vertex[nearest_vertex(p, from)], there = p.nodes.of_vertex[nearest_vertex(p, to)];
+  if (node == mesh::none || p.nodes.group[node] != group || p.outlier[node])
+    throw Error(Fault::no_change, "no point is held for the tooth there");
+  if (there != mesh::none && p.nodes.group[there] == group && (there == node || !p.outlier[there]))
+    throw Error(Fault::no_change, "where the point is to go one is held for the tooth already");
+  auto changed = std::make_shared<Prepared>(p);
+  add_node(*changed, to, group);
+  let_go(*changed, node);
+  hold_added(*changed);
+  return with_disc(std::move(changed), session, {group}, progress);
 }
 
 Correction unite(const Prepared &p, const Session &session, Index group, Index other, const Progress &progress) {

@@ -25,6 +25,10 @@ Correction leave_out(const Prepared &prepared, const Session &session, Index gro
 Correction divide(const Prepared &prepared, const Session &session, Index group, const mesh::SurfacePoint &kept,
                   const mesh::SurfacePoint &part, const Progress &progress);
 
+// A point of the tooth elsewhere: the one at `from` is freed, and the disc at `to` held.
+Correction move_point(const Prepared &prepared, const Session &session, Index group, const mesh::SurfacePoint &from,
+                      const mesh::SurfacePoint &to, const Progress &progress);
+
 // One tooth of two: the points of `other` are held for `group`.
 Correction unite(const Prepared &prepared, const Session &session, Index group, Index other, const Progress &progress);
 

@@ -53,6 +53,17 @@ double confidence(double inside, const Tooth &tooth) {
   return std::sqrt(std::clamp(inside, 0.0, 1.0) * seam * (tooth.warnings ? 0.5 : 1));
 }
 
+Level best_own(const Prepared &p, Index group, Fields &fields, bool of_target, std::span<const double> levels) {
+  if (p.options.cut_rule != CutRule::component) return {};
+  return best_level(
+      p, group, [&](Index v) { return 1 - fields.own(v, of_target); }, levels);
+}
+
+// Where there is no border at any level, a piece of the scan that is all tooth, and by the other rules it is 1/2.
+double own_level(const Level &best) {
+  return std::isnan(best.at) ? 0.5 : best.at;
+}
+
 }  // namespace
 
 Fields::Fields(const Prepared &p, const Pick &pick, bool whole) : prepared_(p), target_(solve(p, pick, pick.target)) {
@@ -82,15 +93,24 @@ bool own_field_decides(const Options &o) {
 }
 
 double own_iso(const Prepared &p, const Pick &pick, Fields &fields, bool of_target) {
-  double level = 0.5;
-  if (p.options.cut_rule == CutRule::component) {
-    level = best_level(
-        p, of_target ? pick.target : pick.neighbour, [&](Index v) { return 1 - fields.own(v, of_target); },
-        own_levels());
-    if (std::isnan(level)) level = 0.5;  // no border at any level: a piece of the scan that is all tooth
-  }
   // Of the field of a tooth's own 0 to 1 is 0 to 1/2 of u.
+  const double level =
+      own_level(best_own(p, of_target ? pick.target : pick.neighbour, fields, of_target, own_levels()));
   return of_target ? level / 2 : 1 - level / 2;
+}
+
+double own_iso_in_halves(const Prepared &p, const Pick &pick, Fields &fields) {
+  const std::span<const double> all = own_levels(), lower = all.first(all.size() / 2);
+  Level best[2];
+  p.executor->each(2, [&](std::size_t k) {
+    if (k == 0) {  // what this looks at is what the cut looks at next
+      best[0] = best_own(p, pick.target, fields, true, all.subspan(lower.size()));
+    } else {
+      Fields apart(p, pick, false);
+      best[1] = best_own(p, pick.target, apart, true, lower);
+    }
+  });
+  return own_level(best[1].value >= best[0].value ? best[1] : best[0]) / 2;
 }
 
 Selection select_cuts(const Prepared &p, const Pick &pick, Fields &fields) {
@@ -112,9 +132,11 @@ Selection select_cuts(const Prepared &p, const Pick &pick, Fields &fields) {
     case CutRule::component:
       p.executor->each(pick.neighbour != mesh::none ? 2 : 1, [&](std::size_t i) {
         const bool target = i == 0;
-        const double level = best_level(
-            p, target ? pick.target : pick.neighbour, [&](Index v) { return target ? u[v] : 1 - u[v]; },
-            sampled_levels(p.options, target ? v_med : 1 - v_med));
+        const double level =
+            best_level(
+                p, target ? pick.target : pick.neighbour, [&](Index v) { return target ? u[v] : 1 - u[v]; },
+                sampled_levels(p.options, target ? v_med : 1 - v_med))
+                .at;
         (target ? s.target_iso : s.neighbour_iso) = target ? level : 1 - level;
       });
       break;

@@ -45,6 +45,8 @@ struct Selection {
 
 // Where a tooth's own field decides, that of one of the two teeth; else both.
 double own_iso(const Prepared &prepared, const Pick &pick, Fields &fields, bool of_target);
+// The same of the target, in two tasks, each with half the levels.
+double own_iso_in_halves(const Prepared &prepared, const Pick &pick, Fields &fields);
 Selection select_cuts(const Prepared &prepared, const Pick &pick, Fields &fields);
 
 // The tooth of `group`, what is measured on u along its cuts left out. Throws Fault::no_cut.

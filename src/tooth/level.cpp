@@ -76,11 +76,11 @@ Vec<double> sampled_levels(const Options &options, double limit) {
   return levels;
 }
 
-double best_level(const Prepared &p, Index group, cut::Values rising, std::span<const double> levels) {
+Level best_level(const Prepared &p, Index group, cut::Values rising, std::span<const double> levels) {
   const mesh::Surface &surface = *p.surface;
   const auto space = p.space();
   const auto foreign = [&](Index v) { return kind_for(p, group, v) == kForeign; };
-  double best = -1, found = std::numeric_limits<double>::quiet_NaN();
+  Level best;
   cut::Growth growth(surface, rising, p.seeds[group], space->inside);
   for (const double level : levels) {
     growth.rise(level);
@@ -89,10 +89,10 @@ double best_level(const Prepared &p, Index group, cut::Values rising, std::span<
     const cut::Score s = border(p, growth, filled, rising, level, *space);
     const double value =
         s.concavity * std::sqrt(s.harmonic) * plausible(p, group, growth.area() + cut::area_of(surface, filled));
-    if (s.length > 0 && value > best) best = value, found = level;
+    if (s.length > 0 && value > best.value) best = {level, value};
     for (const Index f : filled) space->inside.set(f, 0);
   }
-  return found;
+  return best;
 }
 
 }  // namespace ts::tooth

@@ -1,6 +1,8 @@
 // The component rule: at which level of a tooth's field it is best cut.
 #pragma once
 
+#include <limits>
+
 #include "cut/space.h"
 #include "tooth/prepared.h"
 
@@ -13,7 +15,11 @@ Vec<double> sampled_levels(const Options &options, double limit);
 
 // Of each level the component of `rising` (0 on the tooth's seeds) below it that holds the seeds, holes filled; the
 // best is that whose border has the largest concavity x sqrt(harmonic mean gradient), times how plausible its area is.
-// NaN if none has a border. `levels` rise.
-double best_level(const Prepared &prepared, Index group, cut::Values rising, std::span<const double> levels);
+// `levels` rise.
+struct Level {
+  double at = std::numeric_limits<double>::quiet_NaN();  // NaN if none has a border
+  double value = -1;
+};
+Level best_level(const Prepared &prepared, Index group, cut::Values rising, std::span<const double> levels);
 
 }  // namespace ts::tooth

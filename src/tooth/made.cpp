@@ -101,7 +101,7 @@ void add_node(Prepared &p, const mesh::SurfacePoint &at, Index group) {
 }
 
 void hold_added(Prepared &p) {
-  p.border = std::make_shared<const field::Border>(*p.solver, p.added);
+  p.border = std::make_shared<const field::Border>(*p.solver, p.added, *p.executor);
 }
 
 void regroup(Prepared &p, Index node, Index group) {

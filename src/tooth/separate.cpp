@@ -22,27 +22,23 @@ constexpr double kEnclosed = 0.3;
 constexpr double kEdge = 1;
 
 // mm below the mean of a tooth's points, and share of the distance from them that may be along the arch: the cingula of
-// synthetic incisors, whose fossae are deeper than real ones, lie 3 to 6 below and at most .3; a tooth behind another has
-// its own edge, one beside it stands along the arch.
+// synthetic incisors, whose fossae are deeper than real ones, lie 3 to 6 below and at most .3; a tooth behind another
+// has its own edge, one beside it stands along the arch.
 constexpr double kBelow = 2, kAcross = 0.6;
 
 // How much of the field at the click is each node's.
 Eigen::VectorXd shares_at(const Prepared &p, const mesh::SurfacePoint &at) {
-  Eigen::VectorXd share = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(p.nodes.size()));
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Index v = p.surface->triangle[at.face][k];
-    share += at.barycentric[static_cast<Eigen::Index>(k)] * (p.border ? p.border->measure(v) : p.solver->measure(v));
-  }
-  return share;
+  const auto &corners = p.surface->triangle[at.face];
+  const std::span<const double> weights(at.barycentric.data(), 3);
+  return p.border ? p.border->measure(corners, weights) : p.solver->measure(corners, weights);
 }
 
 bool holds(const Tooth &tooth, const mesh::SurfacePoint &at) {
   return std::ranges::binary_search(tooth.faces, at.face);
 }
 
-// The group that most of the field at the click is of, `target` left out; none if there is no other.
-Index strongest_at(const Prepared &p, const mesh::SurfacePoint &at, Index target) {
-  const Eigen::VectorXd share = shares_at(p, at);
+// The group with most of these shares, `target` left out; none if there is no other.
+Index strongest_of(const Prepared &p, const Eigen::VectorXd &share, Index target) {
   Vec<double> of_group(p.groups, 0);
   for (Index n = 0; n < p.nodes.size(); ++n)
     if (!p.outlier[n] && p.nodes.group[n] != field::gingiva_group && p.nodes.group[n] != target)
@@ -121,7 +117,7 @@ Click separate_extended(const Prepared &p, const mesh::SurfacePoint &at, const C
 }  // namespace
 
 Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picked, double pick_ms,
-              const Progress &progress, Wanted wanted) {
+              const Progress &progress) {
   Stopwatch watch;
   Click click;
   click.at = at;
@@ -144,7 +140,7 @@ Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picke
 
   Tooth both[2];
   bool found = false;
-  p.executor->each(picked.neighbour == mesh::none || wanted == Wanted::target ? 1 : 2, [&](std::size_t k) {
+  p.executor->each(picked.neighbour == mesh::none ? 1 : 2, [&](std::size_t k) {
     const bool target = k == 0;
     if (own) {
       Stopwatch level;
@@ -175,6 +171,22 @@ Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picke
   return click;
 }
 
+Tooth cut_out_target(const Prepared &p, const Pick &picked, const Progress &progress) {
+  progress(0);
+  const bool own = own_field_decides(p.options);
+  Fields fields(p, picked, !own);
+  Selection selection;
+  if (own)
+    selection.target_iso = own_iso_in_halves(p, picked, fields);
+  else
+    selection = select_cuts(p, picked, fields);
+  progress(0.3);
+  Tooth tooth = extract_tooth(p, fields, selection, picked.target, true);
+  measure_cuts(p, fields, tooth);
+  progress(1);
+  return tooth;
+}
+
 Pick take(const Prepared &p, const mesh::SurfacePoint &at) {
   if (at.distance > p.options.click_reach)
     throw Error(Fault::click_off_surface, "the click is " + std::to_string(at.distance) + " mm from the surface");
@@ -201,7 +213,7 @@ Click separate_by_evidence(const Prepared &p, const mesh::SurfacePoint &at, std:
                            Click first, double pick_ms, const Progress &progress) {
   Stopwatch watch;
   // Whatever the gingiva's share: its tooth holds the click, or it does not.
-  if (const Index group = strongest_at(p, at, first.target); group != mesh::none) {
+  if (const Index group = strongest_of(p, shares_at(p, at), first.target); group != mesh::none) {
     Pick picked = pick_group(p, at, group);
     settle(picked, separated);
     pick_ms += watch.lap();
@@ -225,10 +237,10 @@ Click separate_by_evidence(const Prepared &p, const mesh::SurfacePoint &at, std:
 }
 
 Index strongest_beside(const Prepared &p, const mesh::SurfacePoint &at, Index group) {
-  const Index other = strongest_at(p, at, group);
+  const Eigen::VectorXd share = shares_at(p, at);
+  const Index other = strongest_of(p, share, group);
   if (other == mesh::none) return field::gingiva_group;
   if (p.nodes.gingiva == mesh::none) return other;
-  const Eigen::VectorXd share = shares_at(p, at);
   double of_other = 0, of_gingiva = 0;
   for (Index n = 0; n < p.nodes.size(); ++n) {
     if (p.nodes.group[n] == other && !p.outlier[n]) of_other += share[n];

@@ -21,10 +21,12 @@ Click separate(const Prepared &prepared, const mesh::SurfacePoint &at, const Pic
 Click separate_by_evidence(const Prepared &prepared, const mesh::SurfacePoint &at, std::span<const Index> separated,
                            Click first, double pick_ms, const Progress &progress);
 
-// The teeth of a pick, or only the target's, whatever lies under the click. Throws no_cut.
-enum class Wanted { both, target };
+// The teeth of a pick, whatever lies under the click. Throws no_cut.
 Click cut_out(const Prepared &prepared, const mesh::SurfacePoint &at, const Pick &picked, double pick_ms,
-              const Progress &progress, Wanted which = Wanted::both);
+              const Progress &progress);
+
+// Only the target's.
+Tooth cut_out_target(const Prepared &prepared, const Pick &picked, const Progress &progress);
 
 // Whose most of the field at a point is, `group` left out: another group, or gingiva_group.
 Index strongest_beside(const Prepared &prepared, const mesh::SurfacePoint &at, Index group);

@@ -366,6 +366,9 @@ static void session_functions(void) {
   REFUSED(ts_tooth_split, (NULL, id, at, at, NULL, &count));
   REFUSED(ts_tooth_split, (s.segmentation, id, NULL, at, NULL, &count));
   REFUSED(ts_tooth_split, (s.segmentation, id, at, NULL, NULL, &count));
+  REFUSED(ts_tooth_move_point, (NULL, id, at, at, NULL));
+  REFUSED(ts_tooth_move_point, (s.segmentation, id, NULL, at, NULL));
+  REFUSED(ts_tooth_move_point, (s.segmentation, id, at, NULL, NULL));
   REFUSED(ts_tooth_merge, (NULL, id, id, NULL));
   REFUSED(ts_tooth_remove, (NULL, id));
   REFUSED(ts_tooth_set_locked, (NULL, id, 1));

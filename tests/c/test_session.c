@@ -266,6 +266,66 @@ static void split_and_merge(void) {
   CHECK(n == count);
 }
 
+static int is_seed(uint32_t tooth, uint32_t vertex) {
+  uint32_t n = 0, i, found = 0, *seeds;
+  CHECK_STATUS(ts_get_tooth_seeds(s.segmentation, tooth, NULL, 0, &n), TS_OK);
+  seeds = must_have(sizeof *seeds * n);
+  CHECK_STATUS(ts_get_tooth_seeds(s.segmentation, tooth, seeds, n, &n), TS_OK);
+  for (i = 0; i < n; ++i) found |= seeds[i] == vertex;
+  free(seeds);
+  return (int)found;
+}
+
+static void a_point_is_moved(void) {
+  uint32_t n = 0, i, tooth, beside = 0, vertex;
+  ts_feature_point *points, point, other;
+  ts_surface_point goal;
+  double centre[3], to[3];
+  bytes before, after;
+  int k;
+  all();
+  memset(&point, 0, sizeof point);
+  memset(&other, 0, sizeof other);
+  tooth = teeth[2], beside = teeth[3];
+  CHECK_STATUS(ts_features_get_points(s.features, NULL, 0, &n), TS_OK);
+  points = must_have(sizeof *points * n);
+  CHECK_STATUS(ts_features_get_points(s.features, points, n, &n), TS_OK);
+  for (i = 0; i < n; ++i) {
+    if (points[i].group == tooth) point = points[i];
+    if (points[i].group == beside) other = points[i];
+  }
+  free(points);
+  CHECK(is_seed(tooth, point.vertex));
+  label_centre(&s.arch, truth_of(tooth), centre);
+  for (k = 0; k < 3; ++k) to[k] = 0.6 * point.position[k] + 0.4 * centre[k];
+  CHECK_STATUS(ts_model_nearest(s.model, to, &goal), TS_OK);
+  before = dump_segmentation(s.segmentation);
+  CHECK_STATUS(ts_tooth_move_point(s.segmentation, tooth, goal.position, point.position, NULL), TS_E_NO_CHANGE);
+  CHECK_STATUS(ts_tooth_move_point(s.segmentation, tooth, point.position, point.position, NULL), TS_E_NO_CHANGE);
+  CHECK_STATUS(ts_tooth_move_point(s.segmentation, tooth, point.position, other.position, NULL), TS_E_NO_CUT);
+  CHECK_STATUS(ts_tooth_move_point(s.segmentation, beside, point.position, goal.position, NULL), TS_E_NO_CHANGE);
+  to[2] += 500;
+  CHECK_STATUS(ts_tooth_move_point(s.segmentation, tooth, point.position, to, NULL), TS_E_CLICK_OFF_SURFACE);
+  after = dump_segmentation(s.segmentation);
+  CHECK(same_bytes(&before, &after));
+  free_bytes(&after);
+
+  CHECK_STATUS(ts_tooth_move_point(s.segmentation, tooth, point.position, goal.position, NULL), TS_OK);
+  vertex = goal.nearest_vertex;
+  CHECK(!is_seed(tooth, point.vertex) && is_seed(tooth, vertex));
+  CHECK(overlap_with(truth_of(tooth), tooth) > 0.75);
+  CHECK_STATUS(ts_tooth_move_point(s.segmentation, tooth, point.position, goal.position, NULL), TS_E_NO_CHANGE);
+  /* And back, which is where it was freed: it is taken in again there. */
+  CHECK_STATUS(ts_tooth_include(s.segmentation, tooth, point.position, NULL), TS_OK);
+  CHECK(is_seed(tooth, point.vertex));
+  CHECK_STATUS(ts_undo(s.segmentation), TS_OK);
+  CHECK_STATUS(ts_undo(s.segmentation), TS_OK);
+  after = dump_segmentation(s.segmentation);
+  CHECK(same_bytes(&before, &after));
+  free_bytes(&before);
+  free_bytes(&after);
+}
+
 static void locked_teeth_stay(void) {
   uint32_t tooth, locked = 5, n = 0;
   double at[3], *clicks;
@@ -287,6 +347,7 @@ static void locked_teeth_stay(void) {
   CHECK_STATUS(ts_tooth_exclude(s.segmentation, tooth, at, NULL), TS_E_LOCKED);
   CHECK_STATUS(ts_tooth_merge(s.segmentation, teeth[3], tooth, NULL), TS_E_LOCKED);
   CHECK_STATUS(ts_tooth_split(s.segmentation, tooth, at, at, NULL, NULL), TS_E_LOCKED);
+  CHECK_STATUS(ts_tooth_move_point(s.segmentation, tooth, at, at, NULL), TS_E_LOCKED);
   label_centre(&s.arch, truth_of(teeth[3]), at);
   CHECK_STATUS(ts_segment_click(s.segmentation, at, NULL, NULL), TS_OK); /* as the neighbour it is left as it is */
   after = info_of(tooth);
@@ -359,6 +420,16 @@ static uint32_t any(uint32_t below) {
   return (random_state >> 8) % below;
 }
 
+/* Of a tooth: where its last feature point lies, or one of the arch for a tooth that has none. */
+static const double *point_of(uint32_t tooth) {
+  static ts_feature_point points[512];
+  uint32_t n = 0, i, found = 0;
+  CHECK_STATUS(ts_features_get_points(s.features, points, 512, &n), TS_OK);
+  for (i = 0; i < n; ++i)
+    if (points[i].group == tooth) found = i;
+  return points[found].position;
+}
+
 /* One random step, which may be refused. */
 static ts_status random_step(void) {
   double at[3], other[3];
@@ -368,7 +439,7 @@ static ts_status random_step(void) {
   middle_of(any(s.arch.faces), other);
   if (count == 0) return ts_segment_click(s.segmentation, at, NULL, NULL);
   tooth = teeth[any(count)];
-  switch (any(10)) {
+  switch (any(11)) {
     case 0: return ts_tooth_include(s.segmentation, tooth, at, NULL);
     case 1: return ts_tooth_exclude(s.segmentation, tooth, at, NULL);
     case 2: return ts_tooth_split(s.segmentation, tooth, at, other, NULL, NULL);
@@ -376,6 +447,7 @@ static ts_status random_step(void) {
     case 4: return ts_tooth_remove(s.segmentation, tooth);
     case 5: return ts_tooth_set_locked(s.segmentation, tooth, any(2));
     case 6: return ts_undo(s.segmentation);
+    case 7: return ts_tooth_move_point(s.segmentation, tooth, point_of(tooth), at, NULL);
     default: return ts_segment_click(s.segmentation, at, NULL, NULL);
   }
 }
@@ -421,6 +493,7 @@ int main(void) {
   RUN(a_limit_drops_the_oldest);
   RUN(this_too_and_not_this);
   RUN(split_and_merge);
+  RUN(a_point_is_moved);
   RUN(locked_teeth_stay);
   RUN(a_listener_is_told_what_changed);
   RUN(overlaps_are_told);

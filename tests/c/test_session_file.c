@@ -11,6 +11,7 @@ static scan s;
 /* Some steps of every kind, one of them taken back. */
 static void do_things(ts_segmentation *segmentation) {
   uint32_t n = 0, teeth[64], i, points = 0, keep = 0, part = 0;
+  double to[3];
   static ts_feature_point point[512];
   double *clicks = proposed_clicks(segmentation, &n);
   REQUIRE(n >= 3);
@@ -25,6 +26,11 @@ static void do_things(ts_segmentation *segmentation) {
     if (point[i].group == teeth[1]) part = i;
   }
   CHECK_STATUS(ts_tooth_split(segmentation, teeth[0], point[keep].position, point[part].position, NULL, NULL), TS_OK);
+  for (i = 0; i < points; ++i)
+    if (point[i].group == teeth[2]) keep = i;
+  memcpy(to, point[keep].position, sizeof to);
+  to[2] -= 1.5;
+  CHECK_STATUS(ts_tooth_move_point(segmentation, teeth[2], point[keep].position, to, NULL), TS_OK);
   CHECK_STATUS(ts_tooth_set_locked(segmentation, teeth[3], 1), TS_OK);
   CHECK_STATUS(ts_tooth_remove(segmentation, teeth[4]), TS_OK);
   CHECK_STATUS(ts_assign_numbers(segmentation, NULL), TS_OK);

@@ -84,7 +84,7 @@ void check(const Problem &p, const Vec<Vec<Index>> &added, std::size_t most_byte
   const Nodes nodes = p.nodes(together);
   const Solver few(p.surface, p.weight, p.nodes(p.first), Executor(1), {}, most_bytes);
   const Solver all(p.surface, p.weight, nodes, Executor(1));
-  const Border border(few, added);
+  const Border border(few, added, Executor(2));
   REQUIRE(border.schur().rows() == all.schur().rows());
   CHECK((border.schur() - all.schur()).norm() < 1e-9 * all.schur().norm());
   CHECK(border.schur().rowwise().sum().norm() < 1e-12 * all.schur().norm());
@@ -123,7 +123,7 @@ TEST_CASE("vertices of other nodes stay with them; a node without any of its own
   const Solver solver(p.surface, p.weight, p.nodes(p.first), Executor(1));
   const auto refused = [&](const Vec<Vec<Index>> &added) {
     try {
-      const Border border(solver, added);
+      const Border border(solver, added, Executor(1));
     } catch (const Error &e) {
       return e.fault() == Fault::no_constraint;
     }
@@ -140,11 +140,11 @@ TEST_CASE("inside a disc its value, between the solver's own nodes what was ther
   const Problem p;
   const Solver solver(p.surface, p.weight, p.nodes(p.first), Executor(1));
   const Vec<Index> disc = p.disc(15 * 41 + 12, 0.9);
-  const Border border(solver, {{disc}});
+  const Border border(solver, {{disc}}, Executor(2));
   Solution u = border.extend(border.solve_nodes(Vec<double>{0, 0, 0, 0, 0.75}, 0));
   for (const Index v : disc) CHECK(u(v) == doctest::Approx(0.75).epsilon(1e-9));
 
-  const Border point(solver, {{Vec<Index>{600}}});
+  const Border point(solver, {{Vec<Index>{600}}}, Executor(1));
   const Vec<double> held = {0, 1, free_node, 0}, more = {0, 1, free_node, 0, free_node};
   const Vec<double> before = solver.extend_to_all(solver.solve_nodes(held, 1e8));
   CHECK(worst(before, all_of(point.extend(point.solve_nodes(more, 1e8)), p.surface)) < 1e-9);
@@ -165,7 +165,7 @@ TEST_CASE("an added node on a piece of its own leaves the others alone; one on a
   nodes.of_vertex[10] = 0, nodes.of_vertex[30] = 1, nodes.of_vertex[n + 10] = 2;
   nodes.group = {0, 1, 2};
   const Solver solver(s, Vec<double>(s.edge.size(), 1), nodes, Executor(1));
-  const Border border(solver, {{Vec<Index>{n + 30}}});
+  const Border border(solver, {{Vec<Index>{n + 30}}}, Executor(1));
   const auto solve = [&](const Vec<double> &held) { return all_of(border.extend(border.solve_nodes(held, 1e8)), s); };
   const Vec<double> u = solve({0, 1, free_node, free_node});
   const Vec<double> before = solver.extend_to_all(solver.solve_nodes(Vec<double>{0, 1, free_node}, 1e8));
@@ -176,5 +176,5 @@ TEST_CASE("an added node on a piece of its own leaves the others alone; one on a
   for (Index v = n; v < 2 * n; ++v) CHECK(w[v] == doctest::Approx(0.25));
   CHECK(border.measure(n + 3)[3] > 0);
   CHECK(border.measure(3)[3] == 0);
-  CHECK_THROWS_AS(Border(solver, {{Vec<Index>{2 * n + 5}}}), Error);
+  CHECK_THROWS_AS(Border(solver, {{Vec<Index>{2 * n + 5}}}, Executor(1)), Error);
 }
