@@ -39,6 +39,7 @@ static void drag(const char *scan) {
   try {
     segmentation.drag_cut(tooth, 0, static_cast<ts::Index>(lowest), moved(cut.points[lowest], up, -0.5));
     print("dragged");
+    segmentation.undo();
   } catch (const ts::Exception &e) {
     if (e.status() < TS_E_EDIT_NOTHING || e.status() > TS_E_EDIT_NO_LOOP) throw;
     std::printf("refused: %s\n", e.what());
@@ -47,7 +48,6 @@ static void drag(const char *scan) {
   // A stroke begins and ends on the cut, and takes the place of what is between.
   const std::size_t n = cut.points.size(), reach = n / 12;
   const ts_edge_point &from = cut.points[(lowest + n - reach) % n], &to = cut.points[(lowest + reach) % n];
-  segmentation.undo();
   segmentation.draw_cut(tooth, {moved(from, up, 0), moved(cut.points[lowest], up, -0.3), moved(to, up, 0)});
   print("drawn");
   segmentation.offset_cut(tooth, 0.1);  // the whole cut, outwards

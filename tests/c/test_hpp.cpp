@@ -1,4 +1,5 @@
 // The C++ layer says what the C functions say. SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <optional>
@@ -48,6 +49,7 @@ void the_whole_way() {
   CHECK(model.positions().size() == report.vertices && model.triangles().size() == report.faces);
   CHECK(model.face_sources().size() == report.faces && model.vertex_map().size() == report.input_vertices);
   CHECK(model.nearest(model.positions().front()).distance == 0);
+  CHECK(status_thrown([&] { model.raycast(far_away, {1, 0, 0}); }) == TS_E_NOT_FOUND);
 
   const toothseg::Features features = toothseg::Features::detect(model);
   CHECK(features.groups().size() > 4 && !features.points().empty() && !features.arch().empty());
@@ -113,6 +115,13 @@ void failures_are_exceptions() {
   CHECK(status_thrown([&] { features.add_point({0, 0, 0}, 99); }) == TS_E_NOT_FOUND);
   const auto place = features.add_point({0, 0, 0});
   CHECK(features.points().size() == 1 && features.points()[0].id == place.point);
+  features.move_point(place.point, {20, 0, 0});
+  CHECK(features.points()[0].position[0] > 0);
+  const toothseg::Index second = features.add_point({-20, 0, 0}, place.group).point;
+  CHECK(features.set_group(second) != place.group && features.groups().size() == 2);
+  features.remove_point(second);
+  features.set_occlusal({0, 0, -2});
+  CHECK(features.occlusal()[2] == -1);
   const toothseg::Features copy = features.clone();
   features.remove_group(place.group);
   CHECK(features.points().empty() && copy.points().size() == 1);
@@ -223,6 +232,12 @@ struct Scan {
     return far_away;
   }
 
+  // From the middle of a tooth.
+  double distance(toothseg::Index tooth, const toothseg::Point &p) const {
+    const ts_tooth_frame frame = segmentation.tooth_frame(tooth);
+    return std::hypot(frame.centre[0] - p[0], frame.centre[1] - p[1], frame.centre[2] - p[2]);
+  }
+
   void take_back() {
     while (segmentation.history().undo > 1) segmentation.undo();
   }
@@ -242,8 +257,11 @@ void corrections() {
 
   segmentation.merge_teeth(tooth, beside);
   CHECK(segmentation.teeth().size() == count - 1);
+  CHECK(segmentation.tooth(tooth).faces > 0);
+  CHECK(status_thrown([&] { segmentation.tooth(beside); }) == TS_E_NOT_FOUND);
   const toothseg::Index second = segmentation.split_tooth(tooth, s.on(tooth), s.on(beside));
   CHECK(second != tooth && segmentation.teeth().size() == count);
+  CHECK(s.distance(second, s.on(beside)) < s.distance(second, s.on(tooth)));
   s.take_back();
 
   const std::size_t seeds = segmentation.tooth_seeds(tooth).size();
@@ -393,7 +411,12 @@ void meshes_are_made_and_written() {
   const ts_mesh_info info = crown.info();
   CHECK(info.label == s.segmentation.tooth(tooth).label && info.open_rims == 0 && info.volume > 0);
   CHECK(crown.positions().size() == info.vertices && crown.normals().size() == info.vertices);
-  CHECK(crown.vertex_flags().size() == info.vertices);
+  const toothseg::Point normal = crown.normals().front();
+  CHECK_NEAR(std::hypot(normal[0], normal[1], normal[2]), 1, 1e-9);
+  CHECK(s.distance(tooth, crown.positions().front()) < 15);
+  std::uint32_t on_cut = 0;
+  for (const std::uint8_t flags : crown.vertex_flags()) on_cut += (flags & TS_VERTEX_ON_CUT) != 0;
+  CHECK(crown.vertex_flags().size() == info.vertices && on_cut == info.cut_vertices);
   const std::vector<toothseg::Triangle> triangles = crown.triangles();
   CHECK(triangles.size() == info.triangles && triangles.back()[2] < info.vertices);
   CHECK(crown.faces().size() == info.triangles && crown.faces().back() == TS_NONE);  // closed by the last
