@@ -66,12 +66,15 @@ int main(int argc, char **argv) {
     if (height(cut[i].position, up) < height(cut[lowest].position, up)) lowest = i;
   for (i = 0; i < 3; ++i) to[i] = cut[lowest].position[i] - 0.5 * up[i];
   TRY(ts_get_tooth(segmentation, teeth[0], &before));
-  TRY(ts_tooth_include(segmentation, teeth[0], to, NULL));
-  TRY(ts_get_tooth(segmentation, teeth[0], &after));
-  printf("this too: %.2f mm^2 instead of %.2f\n", after.area, before.area);
+  if (ts_tooth_include(segmentation, teeth[0], to, NULL) == TS_OK) {
+    TRY(ts_get_tooth(segmentation, teeth[0], &after));
+    printf("this too: %.2f mm^2 instead of %.2f\n", after.area, before.area);
+    TRY(ts_undo(segmentation));
+  } else {
+    printf("the point was refused: %s\n", ts_last_error_message());
+  }
 
   /* By hand instead: the cut is the one above again, so its point is where it was. */
-  TRY(ts_undo(segmentation));
   if (ts_cut_drag(segmentation, teeth[0], 0, lowest, to, 0, NULL) == TS_OK)
     printf("dragged\n");
   else
