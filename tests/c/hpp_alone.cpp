@@ -6,4 +6,5 @@ template <class T>
 constexpr bool move_only = std::is_nothrow_move_constructible_v<T> &&std::is_nothrow_move_assignable_v<T> &&
                            !std::is_copy_constructible_v<T> && !std::is_copy_assignable_v<T>;
 static_assert(move_only<toothseg::Context> && move_only<toothseg::Job> && move_only<toothseg::Model> &&
-              move_only<toothseg::Features> && move_only<toothseg::Segmentation>);
+              move_only<toothseg::Features> && move_only<toothseg::Segmentation> && move_only<toothseg::Mesh> &&
+              move_only<toothseg::Session>);

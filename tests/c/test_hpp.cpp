@@ -1,41 +1,11 @@
 // The C++ layer says what the C functions say. SPDX-License-Identifier: Apache-2.0
 #include <cstring>
-#include <optional>
 #include <stdexcept>
 #include <thread>
-#include <toothseg.hpp>
 
-extern "C" {
-#include "fixture.h"
-#include "harness.h"
-}
+#include "hpp_fixture.h"
 
 namespace {
-
-struct ArchMesh {
-  std::vector<double> xyz;
-  std::vector<toothseg::Index> triangles;
-};
-
-ArchMesh arch_mesh(std::uint32_t triangles) {
-  mesh m = make_arch(triangles);
-  ArchMesh out{{m.xyz, m.xyz + 3 * std::size_t{m.vertices}}, {m.triangles, m.triangles + 3 * std::size_t{m.faces}}};
-  free_mesh(&m);
-  return out;
-}
-
-template <class Call>
-std::optional<ts_status> status_thrown(Call call) {
-  try {
-    call();
-  } catch (const toothseg::Exception &e) {
-    CHECK(std::strlen(e.what()) > 0);
-    return e.status();
-  }
-  return std::nullopt;
-}
-
-const toothseg::Point far_away{1000, 0, 0};
 
 void the_whole_way() {
   const ArchMesh arch = arch_mesh(20000);
@@ -47,6 +17,7 @@ void the_whole_way() {
   CHECK(model.positions().size() == report.vertices && model.triangles().size() == report.faces);
   CHECK(model.face_sources().size() == report.faces && model.vertex_map().size() == report.input_vertices);
   CHECK(model.nearest(model.positions().front()).distance == 0);
+  CHECK(status_thrown([&] { model.raycast(far_away, {1, 0, 0}); }) == TS_E_NOT_FOUND);
 
   const toothseg::Features features = toothseg::Features::detect(model);
   CHECK(features.groups().size() > 4 && !features.points().empty() && !features.arch().empty());
@@ -112,6 +83,13 @@ void failures_are_exceptions() {
   CHECK(status_thrown([&] { features.add_point({0, 0, 0}, 99); }) == TS_E_NOT_FOUND);
   const auto place = features.add_point({0, 0, 0});
   CHECK(features.points().size() == 1 && features.points()[0].id == place.point);
+  features.move_point(place.point, {20, 0, 0});
+  CHECK(features.points()[0].position[0] > 0);
+  const toothseg::Index second = features.add_point({-20, 0, 0}, place.group).point;
+  CHECK(features.set_group(second) != place.group && features.groups().size() == 2);
+  features.remove_point(second);
+  features.set_occlusal({0, 0, -2});
+  CHECK(features.occlusal()[2] == -1);
   const toothseg::Features copy = features.clone();
   features.remove_group(place.group);
   CHECK(features.points().empty() && copy.points().size() == 1);
@@ -198,6 +176,17 @@ void threads_of_the_host() {
   for (const int good : right) CHECK(good);
 }
 
+void notations_and_names() {
+  CHECK(toothseg::fdi_to_universal(16) == 3 && toothseg::universal_to_fdi(3) == 16);
+  CHECK(std::strcmp(toothseg::fdi_to_palmer(16).letters, "UR6") == 0);
+  CHECK(status_thrown([] { toothseg::fdi_to_universal(19); }) == TS_E_INVALID_ARGUMENT);
+  CHECK(status_thrown([] { toothseg::universal_to_fdi(33); }) == TS_E_INVALID_ARGUMENT);
+  CHECK(status_thrown([] { toothseg::fdi_to_palmer(0); }) == TS_E_INVALID_ARGUMENT);
+  const std::string version = std::to_string(TS_VERSION_MAJOR) + "." + std::to_string(TS_VERSION_MINOR) + ".";
+  CHECK(std::string(toothseg::version()).find(version) == 0);
+  CHECK(std::strcmp(toothseg::Exception(TS_E_NO_TEETH, "").name(), "TS_E_NO_TEETH") == 0);
+}
+
 }  // namespace
 
 int main() {
@@ -206,5 +195,6 @@ int main() {
   RUN(owners_move);
   RUN(jobs);
   RUN(threads_of_the_host);
+  RUN(notations_and_names);
   return harness_finish();
 }
