@@ -128,6 +128,9 @@ class Segmentation {
     changed(ts_tooth_split(get(), tooth, keep.data(), part.data(), detail::handle(job), &second), job);
     return second;
   }
+  void move_point(Index tooth, const Point &from, const Point &to, Job *job = nullptr) {
+    changed(ts_tooth_move_point(get(), tooth, from.data(), to.data(), detail::handle(job)), job);
+  }
   void merge_teeth(Index tooth, Index other, Job *job = nullptr) {
     changed(ts_tooth_merge(get(), tooth, other, detail::handle(job)), job);
   }

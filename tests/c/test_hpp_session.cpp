@@ -71,6 +71,13 @@ void corrections() {
   CHECK(status_thrown([&] { segmentation.exclude_point(TS_NONE, s.on(tooth)); }) == TS_E_NOT_FOUND);
   s.take_back();
 
+  toothseg::Point lower = s.on(tooth);
+  for (std::size_t k = 0; k < 3; ++k) lower[k] -= 1.5 * s.features.occlusal()[k];
+  segmentation.move_point(tooth, s.on(tooth), lower);
+  CHECK(status_thrown([&] { segmentation.move_point(tooth, s.on(tooth), lower); }) == TS_E_NO_CHANGE);
+  CHECK(segmentation.changes() == std::vector<toothseg::Index>{tooth});
+  s.take_back();
+
   segmentation.remove_tooth(tooth);
   CHECK(segmentation.teeth().size() == count - 1);
   const std::vector<ts_review_item> review = segmentation.review();
