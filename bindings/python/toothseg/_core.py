@@ -34,6 +34,10 @@ T = TypeVar("T")
 
 # ---------------------------------------------------------------------------------------------------------------- statuses
 
+_here = threading.local()
+#: destroy, the handle, and what has to live until it is destroyed
+_deferred: collections.deque[tuple[Callable[[Any], None], Any, object, object]] = collections.deque()
+
 
 def error_of(status: int) -> errors.Error:
     """The exception for what the last call of this thread returned."""
@@ -43,24 +47,23 @@ def error_of(status: int) -> errors.Error:
 
 def check(status: int, job: Job | None = None) -> None:
     """Raises what the job's callback raised, else what the status says."""
-    thrown = job._take_thrown() if job is not None else None
-    if thrown is not None:
-        raise thrown
+    if job is not None:
+        if _deferred:
+            _destroy_deferred()
+        thrown = job._take_thrown()
+        if thrown is not None:
+            raise thrown
     if status:
         raise error_of(status)
 
 
 # ----------------------------------------------------------------------------------------------------------------- handles
 
-_here = threading.local()
-#: destroy, the handle, and what has to live until it is destroyed
-_deferred: collections.deque[tuple[Callable[[Any], None], Any, object, object]] = collections.deque()
-
 
 @contextlib.contextmanager
 def in_callback() -> Iterator[None]:
     """Around what a callback runs of the caller's. The library must not be called from one, but Python may collect
-    garbage in there: what would be destroyed waits until the next object is made or destroyed outside."""
+    garbage in there: what would be destroyed waits until the call is over."""
     _here.depth = getattr(_here, "depth", 0) + 1
     try:
         yield
