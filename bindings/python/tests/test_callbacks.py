@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Progress, cancellation, changes, log and allocator: called, and what they raise."""
+import functools
 import sys
 import threading
 import unittest
@@ -14,26 +15,38 @@ class Wrong(Exception):
     pass
 
 
+@functools.cache
+def alone():
+    """With one thread: several are not always heard as often."""
+    return Context(threads=1)
+
+
+@functools.cache
+def small():
+    model = Model.load(alone(), fixture.arch(5000))
+    features = Features.detect(model)
+    with Segmentation(features) as s:
+        s.segment_all()
+        return model, features, s.write_session()
+
+
 def long_calls(segmentation):
     """Those that take a job, as functions of it."""
-    yield "load", lambda job: Model.load(fixture.context(), fixture.arch(), job=job).close()
-    yield "create", lambda job: Model(fixture.context(), fixture.model().positions(), fixture.model().triangles(), job=job).close()
-    yield "detect", lambda job: Features.detect(fixture.model(), job=job).close()
-    yield "prepare", lambda job: Segmentation(fixture.features(), job=job).close()
-    yield "session", lambda job: Session.read(fixture.model(), SESSION(), job=job).close()
+    model, features, session = small()
+    xyz, triangles = model.positions(), model.triangles()
+    yield "load", lambda job: Model.load(alone(), fixture.arch(5000), job=job).close()
+    yield "create", lambda job: Model(alone(), xyz, triangles, job=job).close()
+    yield "detect", lambda job: Features.detect(model, job=job).close()
+    yield "prepare", lambda job: Segmentation(features, job=job).close()
+    yield "session", lambda job: Session.read(model, session, job=job).close()
     yield "click", lambda job: segmentation.click(segmentation.propose_clicks()[0], job=job)
     yield "clicks", lambda job: segmentation.clicks(segmentation.propose_clicks(), job=job)
     yield "all", lambda job: segmentation.segment_all(job=job)
 
 
-def SESSION():
-    with fixture.separated() as s:
-        return s.write_session()
-
-
 class Progress(unittest.TestCase):
     def test_rises_to_the_end(self):
-        with fixture.unclicked() as s:
+        with Segmentation(small()[1]) as s:
             for name, call in long_calls(s):
                 seen = []
                 with self.subTest(name), Job(fixture.context(), lambda *a: seen.append(a)) as job:
@@ -56,7 +69,7 @@ class Progress(unittest.TestCase):
                 return len(calls) != at
             return progress
 
-        with fixture.unclicked() as s:
+        with Segmentation(small()[1]) as s:
             before = fixture.dump(s)
             for name, call in long_calls(s):
                 calls = []
@@ -80,7 +93,7 @@ class Progress(unittest.TestCase):
                             s.undo()
 
     def test_raised_at_the_very_end_nothing_is_left(self):
-        counter, job = fixture.Counter(), None
+        counter = fixture.Counter()
 
         def progress(fraction, stage):
             if fraction == 1:

@@ -79,25 +79,17 @@ class Closed(unittest.TestCase):
 class Memory(unittest.TestCase):
     """By an allocator that knows what is out."""
 
-    def test_any_order(self):
+    def test_made_and_destroyed_again_and_again_in_any_order(self):
+        counter, made = fixture.Counter(), set()
         orders = list(itertools.permutations(range(6)))
-        for order in random.Random(1).sample(orders, 24) + [orders[0], orders[-1]]:
-            counter = fixture.Counter()
+        for order in random.Random(1).sample(orders, 22) + [orders[0], orders[-1]]:
+            before = counter.made
             objects = all_of(counter.context(threads=1))
             self.assertGreater(len(counter.live), 10)
             for i in order:
                 objects[i].close()
             self.assertEqual(len(counter.live), 0, order)
-
-    def test_nothing_grows(self):
-        counter, made = fixture.Counter(), set()
-        with counter.context(threads=1) as context:
-            for _ in range(30):
-                before = counter.made
-                for thing in all_of(context)[1:]:
-                    thing.close()
-                self.assertEqual(len(counter.live), 0)
-                made.add(counter.made - before)
+            made.add(counter.made - before)
         self.assertEqual(len(made), 1, "each round does the same")
 
     def test_python_keeps_nothing(self):
@@ -106,11 +98,11 @@ class Memory(unittest.TestCase):
             return sum(isinstance(o, Owner) for o in gc.get_objects()), len(gc.get_objects())
         all_of(Context())
         before = owners()
-        for _ in range(20):
+        for _ in range(8):
             all_of(Context())
         after = owners()
         self.assertEqual(before[0], after[0])
-        self.assertLess(abs(after[1] - before[1]), 20)
+        self.assertLess(abs(after[1] - before[1]), 8)
 
     def test_forgotten(self):
         counter = fixture.Counter()
@@ -224,7 +216,7 @@ class Threads(unittest.TestCase):
 
         counting = threading.Thread(target=count)
         interval = sys.getswitchinterval()
-        with Context(threads=1) as context, Model.load(context, fixture.arch(30000)) as model:
+        with Context(threads=1) as context, Model.load(context, fixture.arch()) as model:
             counting.start()
             sys.setswitchinterval(30)
             try:
