@@ -13,7 +13,7 @@ export TOOTHSEG_TEST_LIBDIR TOOTHSEG_TEST_BINDIR PYTHONDONTWRITEBYTECODE=1
 unset TOOTHSEG_LIBRARY LD_LIBRARY_PATH PYTHONPATH PYTHONHOME VIRTUAL_ENV
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-pip() { "$python" -m pip --disable-pip-version-check --quiet "$@"; }
+pip() { "$python" -m pip --disable-pip-version-check --root-user-action=ignore --quiet "$@"; }
 fail() { echo "$1"; echo "0 passed, 1 failed"; exit 1; }
 
 if "$python" -c "import mypy" 2>/dev/null; then
