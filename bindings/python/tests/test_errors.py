@@ -178,6 +178,7 @@ class Errors(unittest.TestCase):
         kind = toothseg.MeshError
         self.refused(kind, Status.MESH_EMPTY, make, xyz, np.empty((0, 3), np.uint32))
         self.refused(kind, Status.MESH_EMPTY, make, np.empty((0, 3)), None)
+        self.refused(kind, Status.MESH_EMPTY, make, [], [])
         self.refused(kind, Status.MESH_NON_FINITE, make, xyz * np.nan)
         self.refused(kind, Status.MESH_INDEX_RANGE, make, xyz, [[0, 1, 3]])
         self.refused(kind, Status.MESH_INDEX_RANGE, make, xyz, np.array([[0, 1, -1]], np.int32))

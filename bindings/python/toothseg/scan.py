@@ -21,6 +21,8 @@ from .records import FeatureGroup, FeaturePoint, FeaturesInfo, IntakeReport, Sur
 def _coordinates(positions: npt.ArrayLike) -> Array:
     """n x 3 floats or doubles, rows at any distance: as given where that will do, else a copy."""
     array = np.asarray(positions)
+    if array.shape == (0,):
+        array = array.reshape(0, 3)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError("positions have to be n x 3")
     if array.dtype not in (np.float32, np.float64):
@@ -34,6 +36,8 @@ def _coordinates(positions: npt.ArrayLike) -> Array:
 def _indices(triangles: npt.ArrayLike) -> Array:
     """m x 3 uint32: as given, int32 looked at anew, or a copy of what fits."""
     array = np.asarray(triangles)
+    if array.shape == (0,):
+        array = np.empty((0, 3), np.uint32)
     if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iu":
         raise ValueError("triangles have to be m x 3 whole numbers")
     if array.dtype == np.int32:
