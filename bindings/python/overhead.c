@@ -1,5 +1,5 @@
-/* What overhead.py measures, in C: overhead SCAN prints ns a no-op call, the number of faces and ms a read-back of their labels.
- * SPDX-License-Identifier: Apache-2.0 */
+/* What overhead.py measures, in C: overhead SCAN prints ns a no-op call, the number of faces and ms a read-back of
+ * their labels. SPDX-License-Identifier: Apache-2.0 */
 #define _POSIX_C_SOURCE 199309L
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,9 +26,11 @@ int main(int argc, char **argv) {
   ts_segmentation *segmentation = NULL;
   double runs[RUNS], start, batch = 1;
   uint32_t universal, count = 0, i, k;
-  if (argc != 2 || ts_context_create(NULL, &context) != TS_OK || ts_model_load(context, argv[1], NULL, NULL, &model) != TS_OK ||
+  if (argc != 2 || ts_context_create(NULL, &context) != TS_OK ||
+      ts_model_load(context, argv[1], NULL, NULL, &model) != TS_OK ||
       ts_detect_features(model, NULL, NULL, &features) != TS_OK ||
-      ts_segmentation_create(features, NULL, NULL, &segmentation) != TS_OK || ts_segment_all(segmentation, NULL) != TS_OK)
+      ts_segmentation_create(features, NULL, NULL, &segmentation) != TS_OK ||
+      ts_segment_all(segmentation, NULL) != TS_OK)
     return fprintf(stderr, "overhead: %s\n", ts_last_error_message()), 1;
   for (k = 0; k < BATCHES; ++k) {
     start = seconds();

@@ -9,11 +9,11 @@ python=/usr/bin/python3
 here=$(cd "$(dirname "$0")" && pwd)
 TOOTHSEG_TEST_LIBDIR=$(cd "$1" && pwd)
 TOOTHSEG_TEST_BINDIR=$(cd "$2" && pwd)
-export TOOTHSEG_TEST_LIBDIR TOOTHSEG_TEST_BINDIR PYTHONDONTWRITEBYTECODE=1
+export TOOTHSEG_TEST_LIBDIR TOOTHSEG_TEST_BINDIR PYTHONDONTWRITEBYTECODE=1 PIP_ROOT_USER_ACTION=ignore
 unset TOOTHSEG_LIBRARY LD_LIBRARY_PATH PYTHONPATH PYTHONHOME VIRTUAL_ENV
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-pip() { "$python" -m pip --disable-pip-version-check --root-user-action=ignore --quiet "$@"; }
+pip() { "$python" -m pip --disable-pip-version-check --quiet "$@"; }
 fail() { echo "$1"; echo "0 passed, 1 failed"; exit 1; }
 
 if "$python" -c "import mypy" 2>/dev/null; then

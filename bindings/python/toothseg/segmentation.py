@@ -2,6 +2,7 @@
 """Teeth: separated, corrected, numbered, written; and the session that all of it is."""
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Sequence
 from ctypes import POINTER, byref, c_char, c_double, c_int32, c_uint8, c_uint32
 from typing import Any, NamedTuple, Self, SupportsIndex
@@ -29,17 +30,17 @@ class _Listener:
 
     def __init__(self, hook: ChangeHook) -> None:
         self.hook = hook
-        self.telling = False
+        self.telling: int | None = None  # the thread that is in the hook
         self.thrown: BaseException | None = None
 
     def __call__(self, user: object, teeth: Any, count: int) -> None:
-        self.telling = True
+        self.telling = threading.get_ident()
         try:
             self.hook(teeth[:count])
         except BaseException as e:
             self.thrown = e
         finally:
-            self.telling = False
+            self.telling = None
 
 
 class Segmentation(Resource):
@@ -67,7 +68,7 @@ class Segmentation(Resource):
         return self.handle
 
     def _refuse_while_telling(self) -> None:
-        if self._listener is not None and self._listener.telling:
+        if self._listener is not None and self._listener.telling == threading.get_ident():
             raise RuntimeError("a change callback may read the segmentation, and must not change or close it")
 
     def _changed(self, status: int, job: Job | None = None) -> None:
