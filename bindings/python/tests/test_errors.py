@@ -244,7 +244,8 @@ class Errors(unittest.TestCase):
         s.set_number(teeth[3], s.number(teeth[3]).fdi)
         numbers = lambda: [s.number(t) for t in teeth]  # noqa: E731
         before = numbers()
-        for arguments in ((Status.NUMBER_TAKEN, s.set_number, teeth[2], before[3].fdi), (Status.NUMBER_JAW, s.set_number, teeth[2], 36),
+        for arguments in ((Status.NUMBER_TAKEN, s.set_number, teeth[2], before[3].fdi),
+                          (Status.NUMBER_JAW, s.set_number, teeth[2], 36),
                           (Status.NUMBER_ORDER, s.set_number, teeth[2], before[4].fdi),
                           (Status.NUMBER_JAW, s.assign_numbers, toothseg.NumberOptions(jaw=toothseg.Jaw.LOWER))):
             self.refused(kind, *arguments)

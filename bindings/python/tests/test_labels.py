@@ -65,7 +65,8 @@ class Labels(unittest.TestCase):
             xyz, triangles = loaded.positions(), loaded.triangles()
         wide = np.zeros((len(xyz), 5))
         wide[:, 1:4] = xyz
-        forms = [(xyz, triangles), (wide[:, 1:4], triangles.astype(np.int32)), (xyz[:, ::-1][:, ::-1], triangles.astype(np.int64)),
+        forms = [(xyz, triangles), (wide[:, 1:4], triangles.astype(np.int32)),
+                 (xyz[:, ::-1][:, ::-1], triangles.astype(np.int64)),
                  (xyz.astype(">f8"), triangles.tolist()), (np.asfortranarray(xyz), np.asfortranarray(triangles)),
                  (xyz.astype(np.float32), triangles), (xyz[triangles].reshape(-1, 3), None)]
         for coordinates, indices in forms:
@@ -181,7 +182,8 @@ class Work(unittest.TestCase):
         s, xyz = self.segmentation, fixture.model().positions()
         for tooth in self.teeth:
             info, cut = s.tooth(tooth), s.cut(tooth)
-            self.assertEqual((info.id, len(s.tooth_faces(tooth)), len(s.tooth_vertices(tooth))), (tooth, info.faces, info.vertices))
+            self.assertEqual((tooth, len(s.tooth_faces(tooth)), len(s.tooth_vertices(tooth))),
+                             (info.id, info.faces, info.vertices))
             self.assertEqual((len(cut.points), cut.closed), (cut.info.points, True))
             p = cut.points
             between = xyz[p["a"]] + p["t"][:, None] * (xyz[p["b"]] - xyz[p["a"]])
@@ -198,7 +200,8 @@ class Work(unittest.TestCase):
         labels = self.segmentation.labels(out)
         self.assertTrue(np.shares_memory(labels, out) and (labels == self.segmentation.labels()).all())
         self.assertEqual(out[n:].tolist(), [99] * 3)
-        for bad in (np.empty(n, np.int32), np.empty(n - 1, np.uint32), np.empty((n, 1), np.uint32), np.empty(2 * n, np.uint32)[::2]):
+        for bad in (np.empty(n, np.int32), np.empty(n - 1, np.uint32), np.empty((n, 1), np.uint32),
+                    np.empty(2 * n, np.uint32)[::2]):
             self.assertRaises(ValueError, self.segmentation.labels, bad)
         out.flags.writeable = False
         self.assertRaises(ValueError, self.segmentation.labels, out)
@@ -227,7 +230,8 @@ class Work(unittest.TestCase):
             s.undo()
             s.exclude(tooth, points[0].position)
             s.undo()
-            s.move_point(tooth, points[0].position, np.array(points[0].position) + .6 * (np.array(points[1].position) - points[0].position))
+            here, there = (np.array(p.position) for p in points[:2])
+            s.move_point(tooth, here, here + .6 * (there - here))
             s.undo()
             s.set_locked(other)
             self.assertTrue(s.locked(other) and not s.locked(tooth))

@@ -119,13 +119,22 @@ class Status(Enum):
 
 
 class LogLevel(Enum):
+    """How much a line of the log matters."""
+
+    #: a call failed
     ERROR = 0
+    #: the call did its work, and something about it is odd
     WARNING = 1
+    #: what was found and how long it took
     INFO = 2
 
 
 class Scalar(Enum):
+    """Type of the caller's coordinates."""
+
+    #: float
     FLOAT32 = 0
+    #: double
     FLOAT64 = 1
 
 
@@ -133,19 +142,30 @@ class Unit(Enum):
     """Unit of the caller's coordinates. TS_UNIT_CHECKED_MM: mm, and TS_E_MESH_UNITS if the size of the mesh contradicts
     it (bounding box diagonal under 9 or over 400); the others convert without a check."""
 
+    #: mm, checked
     CHECKED_MM = 0
+    #: mm, whatever the size
     MM = 1
+    #: 10 mm
     CM = 2
+    #: 1000 mm
     M = 3
+    #: 25.4 mm
     INCH = 4
 
 
 class FileFormat(Enum):
+    """Formats that are read."""
+
     #: told from the content, not from the name
     AUTO = 0
+    #: binary or ASCII
     STL = 1
+    #: ASCII, or binary of either byte order
     PLY = 2
+    #: `v` and `f` lines; the rest is passed over
     OBJ = 3
+    #: also COFF, NOFF and the like
     OFF = 4
 
 
@@ -162,6 +182,8 @@ class FeaturesWarning(IntFlag):
 
 
 class Preset(Enum):
+    """What options are initialised to."""
+
     #: the best we know: docs/method.md
     DEFAULT = 0
     #: the paper to the letter
@@ -234,20 +256,29 @@ class ToothWarning(IntFlag):
 class Jaw(Enum):
     """The jaw of a scan."""
 
+    #: not known
     UNKNOWN = 0
+    #: maxilla
     UPPER = 1
+    #: mandible
     LOWER = 2
 
 
 class EditKind(Enum):
+    """What an edit did."""
+
+    #: ts_cut_drag
     DRAG = 1
+    #: ts_cut_draw
     DRAW = 2
+    #: ts_cut_offset
     OFFSET = 3
+    #: ts_cut_smooth
     SMOOTH = 4
 
 
 class MeshVertexFlag(IntFlag):
-    """What a vertex is. Values are fixed;"""
+    """What a vertex is."""
 
     #: shared with another part
     ON_CUT = 1
@@ -258,7 +289,7 @@ class MeshVertexFlag(IntFlag):
 
 
 class OutputFormat(Enum):
-    """Formats that are written. Values are fixed;"""
+    """Formats that are written."""
 
     #: binary; floats
     STL = 0
