@@ -60,7 +60,7 @@ class Progress(unittest.TestCase):
                     s.undo()
 
     def test_false_and_exceptions_stop(self):
-        """At the first callback, in the middle, and at the very last, when the object is there already."""
+        """At the first callback, in the middle, and at the very last."""
         def stop_with(what, calls, at):
             def progress(fraction, stage):
                 calls.append(fraction)
@@ -92,18 +92,24 @@ class Progress(unittest.TestCase):
                         while s.history().undo:
                             s.undo()
 
-    def test_raised_at_the_very_end_nothing_is_left(self):
+    def test_raised_though_the_call_succeeded(self):
+        """As when the report of a worker comes too late to stop anything: what was made is given back at once."""
         counter = fixture.Counter()
-
-        def progress(fraction, stage):
-            if fraction == 1:
-                raise Wrong
-
-        with counter.context(threads=1) as context, Job(context, progress) as job:
-            with self.assertRaises(Wrong) as held:
-                Model.load(context, fixture.arch(5000), job=job)
+        with counter.context(threads=1) as context, Job(context, lambda fraction, stage: None) as job:
+            for make in (lambda: Model.load(context, fixture.arch(5000), job=job),
+                         lambda: Session.read(model, small()[2], job=job)):
+                live = len(counter.live)
+                job._watcher.thrown = mine = Wrong("of mine")
+                try:
+                    make()
+                except Wrong as e:
+                    self.assertIs(e, mine)  # held, and with it the frames that it went through
+                    self.assertEqual(len(counter.live), live)
+                    mine = None
+                self.assertIsNone(mine)
+                model = Model.load(context, fixture.arch(5000))
+            model.close()
             self.assertEqual(len(counter.live), 0)
-            del held
 
     def test_none_goes_on(self):
         with Job(fixture.context(), lambda fraction, stage: None) as job:

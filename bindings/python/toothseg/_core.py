@@ -45,14 +45,21 @@ def error_of(status: int) -> errors.Error:
     return errors.class_of(status)(status, lib.ts_status_name(status).decode(), message)
 
 
+def raise_thrown(thrown: BaseException | None) -> None:
+    """What a callback raised, if it did."""
+    if thrown is not None:
+        try:
+            raise thrown
+        finally:
+            del thrown  # the exception knows this frame, which would know the exception
+
+
 def check(status: int, job: Job | None = None) -> None:
     """Raises what the job's callback raised, else what the status says."""
     if job is not None:
         if _deferred:
             _destroy_deferred()
-        thrown = job._take_thrown()
-        if thrown is not None:
-            raise thrown
+        raise_thrown(job._take_thrown())
     if status:
         raise error_of(status)
 

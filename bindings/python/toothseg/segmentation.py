@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _abi
 from ._abi import OutputFormat, Status
 from ._core import (Owner, PathLike, PointLike, Resource, address, check, elements, handle_of, hooks_of, info,
-                    make, path, point, points, struct_of, structs, u32)
+                    make, path, point, points, raise_thrown, struct_of, structs, u32)
 from ._library import lib
 from .context import Job
 from .options import NumberOptions, SaveOptions, SegmentOptions
@@ -77,8 +77,10 @@ class Segmentation(Resource):
         if self._listener is not None:
             thrown, self._listener.thrown = self._listener.thrown, None
         check(status, job)
-        if thrown is not None:
-            raise thrown
+        try:
+            raise_thrown(thrown)
+        finally:
+            del thrown
 
     def close(self) -> None:
         self._refuse_while_telling()
