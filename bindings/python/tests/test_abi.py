@@ -154,3 +154,6 @@ class Public(unittest.TestCase):
         self.assertEqual(toothseg.__version__, API["version"])
         public = {n for n, c in vars(_abi).items() if isinstance(c, type) and issubclass(c, int) and not n.startswith("_")}
         self.assertEqual(public - set(toothseg.__all__) - {"IntEnum", "IntFlag", "Enum", "Scalar"}, set())
+        there = {n for n, c in vars(toothseg).items() if getattr(c, "__module__", "").startswith("toothseg.")}
+        self.assertEqual(there - set(toothseg.__all__), set())
+        self.assertTrue(all(hasattr(toothseg, n) for n in toothseg.__all__))

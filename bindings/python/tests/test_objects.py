@@ -114,7 +114,7 @@ class Memory(unittest.TestCase):
         counter = fixture.Counter()
         objects = all_of(counter.context())
         segmentation = objects[4]
-        segmentation.on_change(lambda teeth: segmentation.labels())
+        segmentation.on_change(lambda teeth, s=segmentation: s.labels())
         cell = [objects]
         cell.append(cell)
         del objects, segmentation, cell

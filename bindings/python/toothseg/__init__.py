@@ -26,4 +26,14 @@ from .segmentation import Segmentation, Session
 #: of the library that is loaded
 __version__: str = _lib.ts_version().decode()
 
-__all__ = [name for name in dir() if name[0].isupper() or name.startswith(("fdi_", "universal_"))] + ["__version__"]
+__all__ = [
+    "Background", "Cancelled", "ClickInfo", "ClickTimes", "Context", "ContourInfo", "Cut", "CutEdit", "CutInfo",
+    "CutRule", "EditError", "EditKind", "Error", "FeatureGroup", "FeatureOptions", "FeaturePoint", "Features",
+    "FeaturesError", "FeaturesInfo", "FeaturesWarning", "FileError", "FileFormat", "HistoryInfo", "IntakeOptions",
+    "IntakeReport", "Jaw", "JawInfo", "Job", "LogLevel", "MemoryInfo", "Mesh", "MeshError", "MeshInfo",
+    "MeshVertexFlag", "Model", "NONE", "NumberError", "NumberInfo", "NumberOptions", "OutOfMemory", "OutputFormat",
+    "Overlap", "Palmer", "Polyline", "PrepareTimes", "Preset", "ReviewItem", "SaveOptions", "SegmentOptions",
+    "Segmentation", "SegmentationError", "Session", "Status", "SurfacePoint", "SurroundingsError", "ToothFrame",
+    "ToothInfo", "ToothMeshError", "ToothMeshOptions", "ToothWarning", "Unit", "UsageError", "Weights", "fdi_to_palmer",
+    "fdi_to_universal", "universal_to_fdi", "__version__",
+]

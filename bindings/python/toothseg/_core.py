@@ -31,12 +31,12 @@ Array = npt.NDArray[Any]
 
 T = TypeVar("T")
 
-
-# ---------------------------------------------------------------------------------------------------------------- statuses
-
 _here = threading.local()
 #: destroy, the handle, and what has to live until it is destroyed
 _deferred: collections.deque[tuple[Callable[[Any], None], Any, object, object]] = collections.deque()
+
+
+# ---------------------------------------------------------------------------------------------------------------- statuses
 
 
 def error_of(status: int) -> errors.Error:
