@@ -8,14 +8,14 @@
 namespace ts::api {
 namespace {
 
-using nlohmann::json;
 using mesh::Index;
 using mesh::Vec3;
+using nlohmann::json;
 using Set = features::FeatureSet;
 
 constexpr std::uint32_t kFormat = 1;
-constexpr const char *kActs[] = {"click", "clicks", "all", "include", "exclude", "split", "merge", "remove", "lock", "unlock",
-                                 "assign_numbers", "set_number", "edit", "reset"};
+constexpr const char *kActs[] = {"click",  "clicks", "all",    "include",        "exclude",    "split", "merge",
+                                 "remove", "lock",   "unlock", "assign_numbers", "set_number", "edit",  "reset"};
 
 // FNV-1a: tells meshes apart, keeps out nobody.
 struct Hash {
@@ -26,7 +26,7 @@ struct Hash {
   }
 };
 
-std::uint64_t hash_of(const mesh::Surface &s) {
+std::uint64_t hash_of_mesh(const mesh::Surface &s) {
   Hash h;
   h.add(s.position.data(), s.position.size() * sizeof s.position[0]);
   h.add(s.triangle.data(), s.triangle.size() * sizeof s.triangle[0]);
@@ -59,8 +59,12 @@ json to_json(const Vec<Vec3> &points) {
 json to_json(const Set::State &s) {
   json points = json::array(), groups = json::array();
   for (const Set::Point &p : s.points)
-    points.push_back({{"id", p.id}, {"group", p.group}, {"vertex", p.vertex}, {"position", to_json(p.position)},
-                      {"convexity", p.convexity}, {"by_hand", p.by_hand}});
+    points.push_back({{"id", p.id},
+                      {"group", p.group},
+                      {"vertex", p.vertex},
+                      {"position", to_json(p.position)},
+                      {"convexity", p.convexity},
+                      {"by_hand", p.by_hand}});
   for (const Set::Group &g : s.groups)
     groups.push_back({{"id", g.id}, {"from", g.from}, {"to", g.to}, {"confidence", g.confidence}});
   return {{"occlusal", to_json(s.occlusal)},
@@ -140,12 +144,20 @@ class Place {
   std::string name_;
 };
 
-void set_option(const Place &place, double &to) { to = place.number(); }
-void set_option(const Place &place, bool &to) { to = place.boolean(); }
-void set_option(const Place &place, std::uint32_t &to) { to = static_cast<std::uint32_t>(place.integer(UINT32_MAX)); }
-void set_option(const Place &place, std::size_t &to) { to = place.integer(SIZE_MAX); }
+void set_option(const Place &place, double &to) {
+  to = place.number();
+}
+void set_option(const Place &place, bool &to) {
+  to = place.boolean();
+}
+void set_option(const Place &place, std::uint32_t &to) {
+  to = static_cast<std::uint32_t>(place.integer(UINT32_MAX));
+}
+void set_option(const Place &place, std::size_t &to) {
+  to = place.integer(SIZE_MAX);
+}
 template <class Enum>
-  requires std::is_enum_v<Enum>
+requires std::is_enum_v<Enum>
 void set_option(const Place &place, Enum &to) {
   to = static_cast<Enum>(place.integer(4));
 }
@@ -219,7 +231,7 @@ Command command_of(const Place &step) {
     c.numbering.mirrored = step["mirrored"].boolean();
     c.numbering.least_confidence = step["least_confidence"].number();
   }
-  const std::size_t least = c.act == Act::divide                                                             ? 2
+  const std::size_t least = c.act == Act::divide                                                      ? 2
                             : c.act == Act::click || c.act == Act::take_in || c.act == Act::leave_out ? 1
                                                                                                       : 0;
   if (c.at.size() < least) wrong(step.name(), "has too few points");
@@ -256,7 +268,9 @@ std::string to_json(const SavedSession &session, const mesh::Surface &surface) {
     if (c.other != mesh::none) step["other"] = c.other;
     if (!c.at.empty()) step["at"] = to_json(c.at);
     if (c.act == Command::Act::edit)
-      step["edit"] = {{"kind", static_cast<std::uint32_t>(c.edit.kind)}, {"points", to_json(c.edit.points)}, {"amount", c.edit.amount}};
+      step["edit"] = {{"kind", static_cast<std::uint32_t>(c.edit.kind)},
+                      {"points", to_json(c.edit.points)},
+                      {"amount", c.edit.amount}};
     if (c.act == Command::Act::set_number) step["number"] = c.number;
     if (c.act == Command::Act::assign_numbers) {
       const tooth::NumberOptions &o = c.numbering;
@@ -267,7 +281,7 @@ std::string to_json(const SavedSession &session, const mesh::Surface &surface) {
     steps.push_back(std::move(step));
   }
   const json all = {{"toothseg_session", kFormat},
-                    {"mesh", hex(hash_of(surface))},
+                    {"mesh", hex(hash_of_mesh(surface))},
                     {"options", options},
                     {"features", to_json(session.features)},
                     {"steps", steps},
@@ -295,7 +309,7 @@ SavedSession from_json(std::string_view text, const mesh::Surface &surface) {
                                        std::to_string(kFormat));
   if (format == 0) throw Error(Fault::file_format, "there is no format 0 of a session");
   SavedSession s;
-  if (file["mesh"].hash() != hash_of(surface)) throw Error(Fault::mismatch, "the session is of another mesh");
+  if (file["mesh"].hash() != hash_of_mesh(surface)) throw Error(Fault::mismatch, "the session is of another mesh");
   s.result_hash = file["labels"].hash();
   const Place options = file["options"];
   each_option(s.options, [&](const char *name, auto &value) { set_option(options[name], value); });

@@ -24,7 +24,6 @@ Index tooth_of(Index group) {
   return group == kMade ? kMissing : group < kMissing ? group : group + 1;
 }
 
-const Executor one(1);
 const Segmenter &segmenter() {
   static const Segmenter s(gapped().surface, gapped().features, default_options(), one);
   return s;
@@ -34,14 +33,6 @@ mesh::SurfacePoint on(Index tooth, double dx = 0, double dy = 0) {
 }
 bool holds(const Tooth &t, const mesh::SurfacePoint &at) {
   return std::binary_search(t.faces.begin(), t.faces.end(), at.face);
-}
-Fault fault_of(const auto &call) {
-  try {
-    call();
-  } catch (const Error &e) {
-    return e.fault();
-  }
-  return Fault::internal;  // no error
 }
 bool same(const Click &a, const Click &b) {
   bool equal = a.target == b.target && a.neighbour == b.neighbour && a.target_distance == b.target_distance &&
