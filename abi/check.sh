@@ -19,6 +19,7 @@ reference=$root/abi/reference/toothseg-$major
 [ -e "$reference.json" ] || {
   echo "check.sh: no reference for major version $major ($reference.json)."
   echo "A new major version, and with it a new SONAME, is a decision: see abi/README.md. It begins with abi/store.sh."
+  echo "check.sh: failed: reference"
   exit 1
 }
 work=$(mktemp -d)

@@ -30,6 +30,10 @@ edit() {
 }
 header() { edit include/toothseg.h "$1"; }
 
+# The table begins with ok or FAIL: whether it came out as expected.
+row() { printf '%-5s %-42s %-9s %-9s %s\n' "$@"; }
+verdict() { [ "$1" = - ] && echo passes || echo caught; }
+
 # change WHAT CHECKS COMMAND...: after COMMAND exactly CHECKS have to fail; "-" for none.
 change() {
   local what=$1 expected=$2 got status=0 at=$work/changed
@@ -41,13 +45,13 @@ change() {
   "$abi/check.sh" --root "$at" "$at/libtoothseg.so" >"$at/said" || status=$?
   got=$(sed -n 's/^check.sh: failed: //p' "$at/said")
   [ $status = 0 ] && got=-
-  printf '%-42s %-9s %-9s %s\n' "$what" "$([ "$expected" = - ] && echo passes || echo caught)" \
-    "$([ "$got" = - ] && echo passes || echo caught)" "$got"
-  [ "$got" = "$expected" ] || {
-    echo "  expected of the checks: $expected"
-    sed 's/^/  /' "$at/said"
+  if [ "$got" = "$expected" ]; then
+    row ok "$what" "$(verdict "$expected")" "$(verdict "$got")" "$got"
+  else
+    row FAIL "$what" "$(verdict "$expected")" "$(verdict "$got")" "$got (expected: $expected)"
+    sed 's/^/      | /' "$at/said"
     bad=1
-  }
+  fi
 }
 
 mkdir -p "$base/include" "$base/abi/reference"
@@ -67,12 +71,16 @@ leak() {
   edit toothseg.map 's/global: ts_\*;/global: ts_*; _ZN*;/'
   echo '__attribute__((visibility("default"))) int _ZN2ts4leakEv(void); int _ZN2ts4leakEv(void) { return 0; }' >"$at/more.c"
 }
+next_major() {
+  header 's/^(#define TS_VERSION_MAJOR) 0$/\1 1/'
+  edit soname 's/0/1/'
+}
 all_allowed() { header "$new_function;$appended;$grown"; }
 new_function='s/^TS_API void ts_mesh_destroy\(/TS_API TS_NODISCARD ts_status ts_mesh_weigh(const ts_mesh *mesh, double *gram);\n&/'
 grown='s/^} ts_save_options;/  uint32_t added;\n&/; s/^} ts_mesh_info;/  double added;\n&/'
 appended='s/^( *TS_OUTPUT_GLB = )3,/\13, TS_OUTPUT_ADDED = 4,/; s/^( *TS_E_MISMATCH = )105,/\1105, TS_E_ADDED = 106,/'
 
-printf '%-42s %-9s %-9s %s\n' change expected got "caught by"
+row "" change expected got "caught by"
 change "nothing" - true
 change "enum value inserted" "layout compare types" header 's/^( *)TS_OUTPUT_GLB = 3,/\1TS_OUTPUT_ADDED = 3, TS_OUTPUT_GLB = 4,/'
 change "enum values swapped" "layout compare types" header 's/TS_OUTPUT_OBJ = 2/TS_OUTPUT_OBJ = 3/; s/TS_OUTPUT_GLB = 3/TS_OUTPUT_GLB = 2/'
@@ -90,6 +98,7 @@ change "function gone" "compare symbols types" header '/^TS_API void ts_job_rese
 change "symbol dropped" "symbols types" edit toothseg.map 's/local:/local: ts_job_reset;/'
 change "C++ symbol leaked" "symbols" leak
 change "SONAME changed" "soname types" edit soname 's/0/1/'
+change "major version and SONAME changed" "reference" next_major
 change "default changed" "defaults" edit defaults '/^ts_segment_options\(TS_PRESET_DEFAULT\).alpha/s/=.*/= 1/'
 change "function added" - header "$new_function"
 change "struct grown at the end" - header "$grown"
