@@ -49,7 +49,7 @@ layout() {
   "$python" "$abi/make_layout.py" --released --json "$reference.json" -o "$work/released.c" || return 1
   "${CC:-cc}" -std=c99 "${flags[@]}" "$own" && "${CXX:-c++}" -std=c++17 -x c++ "${flags[@]}" "$own" || return 1
   for target in x86_64-w64-windows-gnu wasm32-unknown-unknown; do
-    "${CLANG:-clang}" -target "$target" -ffreestanding -nostdlibinc -std=c99 "${flags[@]}" "$own" || return 1
+    "${CLANG:-clang-14}" -target "$target" -ffreestanding -nostdlibinc -std=c99 "${flags[@]}" "$own" || return 1
   done
   "${CC:-cc}" -std=c99 "${flags[@]}" "$work/released.c" ||
     fail "The header has no longer the layout of the last release. Undo it, or add what is new beside what is there."

@@ -6,12 +6,12 @@
 
 #include "toothseg.h"
 
-#define CHECK(condition) \
-  do { \
-    if (!(condition)) { \
+#define CHECK(condition)                                                                            \
+  do {                                                                                              \
+    if (!(condition)) {                                                                             \
       fprintf(stderr, "%s:%d: %s (%s)\n", __FILE__, __LINE__, #condition, ts_last_error_message()); \
-      exit(1); \
-    } \
+      exit(1);                                                                                      \
+    }                                                                                               \
   } while (0)
 #define DO(call) CHECK((call) == TS_OK)
 

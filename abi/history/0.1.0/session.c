@@ -1,5 +1,5 @@
-/* A session: clicks, corrections of teeth and cuts, undo, numbers, meshes, and the session kept: session SCAN TRUTH FOLDER.
- * SPDX-License-Identifier: Apache-2.0 */
+/* A session: clicks, corrections of teeth and cuts, undo, numbers, meshes, and the session kept: session SCAN TRUTH
+ * FOLDER. SPDX-License-Identifier: Apache-2.0 */
 #include <string.h>
 
 #include "caller.h"

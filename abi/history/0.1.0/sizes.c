@@ -1,5 +1,5 @@
-/* Every struct with a struct_size as 0.1.0 knows it, and as it was before it grew where it did: filled as far as that goes, and
- * not a byte further read or written. sizes SCAN TRUTH FOLDER. SPDX-License-Identifier: Apache-2.0 */
+/* Every struct with a struct_size as 0.1.0 knows it, and as it was before it grew where it did: filled as far as that
+ * goes, and not a byte further read or written. sizes SCAN TRUTH FOLDER. SPDX-License-Identifier: Apache-2.0 */
 #define _DEFAULT_SOURCE
 #include <string.h>
 #include <sys/mman.h>
@@ -40,8 +40,10 @@ static int all_before(uint32_t size) {
   return 1;
 }
 
-#define INIT(type, arguments) \
-  static ts_status init_##type(void *o, uint32_t size) { return type##_init arguments; }
+#define INIT(type, arguments)                            \
+  static ts_status init_##type(void *o, uint32_t size) { \
+    return type##_init arguments;                        \
+  }
 INIT(ts_context_options, (o, size))
 INIT(ts_mesh_input, (o, size))
 INIT(ts_intake_options, (o, size))
@@ -90,7 +92,9 @@ static ts_status use_segment(void *o) {
   ts_segmentation_destroy(out);
   return status;
 }
-static ts_status use_number(void *o) { return ts_assign_numbers(segmentation, o); }
+static ts_status use_number(void *o) {
+  return ts_assign_numbers(segmentation, o);
+}
 static ts_status use_tooth_mesh(void *o) {
   ts_mesh *out = NULL;
   const ts_status status = ts_tooth_mesh_create(segmentation, tooth, o, NULL, &out);
@@ -103,19 +107,45 @@ static ts_status use_save(void *o) {
   return ts_segmentation_save(segmentation, path, TS_OUTPUT_STL, o, NULL);
 }
 
-static ts_status get_report(void *o) { return ts_model_get_report(model, o); }
-static ts_status get_features(void *o) { return ts_features_get_info(features, o); }
-static ts_status get_click(void *o) { return ts_get_click(segmentation, 0, o); }
-static ts_status get_tooth(void *o) { return ts_get_tooth(segmentation, tooth, o); }
-static ts_status get_cut(void *o) { return ts_get_cut(segmentation, tooth, 0, o, NULL, 0, NULL); }
-static ts_status get_times(void *o) { return ts_get_prepare_times(segmentation, o); }
-static ts_status get_memory(void *o) { return ts_get_memory(segmentation, o); }
-static ts_status get_history(void *o) { return ts_get_history(segmentation, o); }
-static ts_status get_number(void *o) { return ts_get_number(segmentation, tooth, o); }
-static ts_status get_jaw(void *o) { return ts_get_jaw(segmentation, o); }
-static ts_status get_palmer(void *o) { return ts_fdi_to_palmer(26, o); }
-static ts_status get_mesh(void *o) { return ts_mesh_get_info(mesh, o); }
-static ts_status get_frame(void *o) { return ts_get_tooth_frame(segmentation, tooth, o); }
+static ts_status get_report(void *o) {
+  return ts_model_get_report(model, o);
+}
+static ts_status get_features(void *o) {
+  return ts_features_get_info(features, o);
+}
+static ts_status get_click(void *o) {
+  return ts_get_click(segmentation, 0, o);
+}
+static ts_status get_tooth(void *o) {
+  return ts_get_tooth(segmentation, tooth, o);
+}
+static ts_status get_cut(void *o) {
+  return ts_get_cut(segmentation, tooth, 0, o, NULL, 0, NULL);
+}
+static ts_status get_times(void *o) {
+  return ts_get_prepare_times(segmentation, o);
+}
+static ts_status get_memory(void *o) {
+  return ts_get_memory(segmentation, o);
+}
+static ts_status get_history(void *o) {
+  return ts_get_history(segmentation, o);
+}
+static ts_status get_number(void *o) {
+  return ts_get_number(segmentation, tooth, o);
+}
+static ts_status get_jaw(void *o) {
+  return ts_get_jaw(segmentation, o);
+}
+static ts_status get_palmer(void *o) {
+  return ts_fdi_to_palmer(26, o);
+}
+static ts_status get_mesh(void *o) {
+  return ts_mesh_get_info(mesh, o);
+}
+static ts_status get_frame(void *o) {
+  return ts_get_tooth_frame(segmentation, tooth, o);
+}
 
 /* `last`: where the last field of a form ends; bytes after it up to the size are padding. */
 #define END_OF(type, field) (offsetof(type, field) + sizeof(((type *)0)->field))
@@ -127,30 +157,31 @@ static const struct {
   ts_status (*use)(void *);
   size_t size, last;
 } forms[] = {
-  {"ts_context_options", init_ts_context_options, use_context, FORM(ts_context_options, log_user)},
-  {"ts_mesh_input", init_ts_mesh_input, use_input, FORM(ts_mesh_input, triangle_count)},
-  {"ts_intake_options", init_ts_intake_options, use_intake, FORM(ts_intake_options, weld_tolerance)},
-  {"ts_feature_options", init_ts_feature_options, use_features, FORM(ts_feature_options, radius)},
-  {"ts_segment_options", init_ts_segment_options, use_segment, FORM(ts_segment_options, memory_limit)},
-  {"ts_segment_options", init_ts_segment_options, use_segment, offsetof(ts_segment_options, memory_limit),
-   END_OF(ts_segment_options, reject_outliers)},
-  {"ts_number_options", init_ts_number_options, use_number, FORM(ts_number_options, least_confidence)},
-  {"ts_tooth_mesh_options", init_ts_tooth_mesh_options, use_tooth_mesh, FORM(ts_tooth_mesh_options, closed)},
-  {"ts_save_options", init_ts_save_options, use_save, FORM(ts_save_options, whole_faces)},
-  {"ts_intake_report", NULL, get_report, FORM(ts_intake_report, mean_edge)},
-  {"ts_features_info", NULL, get_features, FORM(ts_features_info, arch_length)},
-  {"ts_features_info", NULL, get_features, offsetof(ts_features_info, warnings), END_OF(ts_features_info, inside_out)},
-  {"ts_click_info", NULL, get_click, FORM(ts_click_info, ms)},
-  {"ts_tooth_info", NULL, get_tooth, FORM(ts_tooth_info, warnings)},
-  {"ts_cut_info", NULL, get_cut, FORM(ts_cut_info, concavity)},
-  {"ts_prepare_times", NULL, get_times, FORM(ts_prepare_times, factorise)},
-  {"ts_memory_info", NULL, get_memory, FORM(ts_memory_info, click)},
-  {"ts_history_info", NULL, get_history, FORM(ts_history_info, limit)},
-  {"ts_number_info", NULL, get_number, FORM(ts_number_info, confidence)},
-  {"ts_jaw_info", NULL, get_jaw, FORM(ts_jaw_info, confidence)},
-  {"ts_palmer", NULL, get_palmer, FORM(ts_palmer, symbol)},
-  {"ts_mesh_info", NULL, get_mesh, FORM(ts_mesh_info, lost)},
-  {"ts_tooth_frame", NULL, get_frame, FORM(ts_tooth_frame, height)},
+    {"ts_context_options", init_ts_context_options, use_context, FORM(ts_context_options, log_user)},
+    {"ts_mesh_input", init_ts_mesh_input, use_input, FORM(ts_mesh_input, triangle_count)},
+    {"ts_intake_options", init_ts_intake_options, use_intake, FORM(ts_intake_options, weld_tolerance)},
+    {"ts_feature_options", init_ts_feature_options, use_features, FORM(ts_feature_options, radius)},
+    {"ts_segment_options", init_ts_segment_options, use_segment, FORM(ts_segment_options, memory_limit)},
+    {"ts_segment_options", init_ts_segment_options, use_segment, offsetof(ts_segment_options, memory_limit),
+     END_OF(ts_segment_options, reject_outliers)},
+    {"ts_number_options", init_ts_number_options, use_number, FORM(ts_number_options, least_confidence)},
+    {"ts_tooth_mesh_options", init_ts_tooth_mesh_options, use_tooth_mesh, FORM(ts_tooth_mesh_options, closed)},
+    {"ts_save_options", init_ts_save_options, use_save, FORM(ts_save_options, whole_faces)},
+    {"ts_intake_report", NULL, get_report, FORM(ts_intake_report, mean_edge)},
+    {"ts_features_info", NULL, get_features, FORM(ts_features_info, arch_length)},
+    {"ts_features_info", NULL, get_features, offsetof(ts_features_info, warnings),
+     END_OF(ts_features_info, inside_out)},
+    {"ts_click_info", NULL, get_click, FORM(ts_click_info, ms)},
+    {"ts_tooth_info", NULL, get_tooth, FORM(ts_tooth_info, warnings)},
+    {"ts_cut_info", NULL, get_cut, FORM(ts_cut_info, concavity)},
+    {"ts_prepare_times", NULL, get_times, FORM(ts_prepare_times, factorise)},
+    {"ts_memory_info", NULL, get_memory, FORM(ts_memory_info, click)},
+    {"ts_history_info", NULL, get_history, FORM(ts_history_info, limit)},
+    {"ts_number_info", NULL, get_number, FORM(ts_number_info, confidence)},
+    {"ts_jaw_info", NULL, get_jaw, FORM(ts_jaw_info, confidence)},
+    {"ts_palmer", NULL, get_palmer, FORM(ts_palmer, symbol)},
+    {"ts_mesh_info", NULL, get_mesh, FORM(ts_mesh_info, lost)},
+    {"ts_tooth_frame", NULL, get_frame, FORM(ts_tooth_frame, height)},
 };
 
 /* A form is filled up to its last field: twice over different bytes it comes out the same. */
