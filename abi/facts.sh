@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # SPDX-License-Identifier: Apache-2.0
 # What there is to know of a library, as functions for check.sh and store.sh: each writes to standard output. Sourced.
 export LC_ALL=C

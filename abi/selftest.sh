@@ -18,7 +18,7 @@ build() {
   "$python" "$abi/describe.py" --header "$at/include/toothseg.h" -o "$at/abi/toothseg.json"
   "$python" "$abi/make_layout.py" --json "$at/abi/toothseg.json" -o "$at/abi/layout.c"
   "$python" "$abi/make_skeleton.py" "$at/abi/toothseg.json" "$at/defaults" >"$at/skeleton.c"
-  [ ! -e "$at/more.c" ] || cat "$at/more.c" >>"$at/skeleton.c"
+  cat "$at/more.c" >>"$at/skeleton.c"
   "${CC:-cc}" -std=c99 -Wall -Wextra -Werror -g -fPIC -fvisibility=hidden -I"$at/include" -shared \
     -Wl,-soname,"$(cat "$at/soname")" -Wl,--version-script="$at/toothseg.map" "$at/skeleton.c" -o "$at/libtoothseg.so"
 }
@@ -59,6 +59,7 @@ cp "$root/include/toothseg.h" "$base/include/"
 cp "$root/src/api/toothseg.map" "$base/"
 cp "$real_defaults" "$base/defaults"
 echo "libtoothseg.so.$(major_of "$root")" >"$base/soname"
+echo 'struct ts_job { int inside; };' >"$base/more.c"
 build "$base"
 reference=$base/abi/reference/toothseg-$(major_of "$base")
 types_of "$base/libtoothseg.so" "$base/include" >"$reference.abi"
@@ -69,7 +70,7 @@ cmp "$reference.defaults" "$real_defaults" || { echo "selftest.sh: the skeleton'
 
 leak() {
   edit toothseg.map 's/global: ts_\*;/global: ts_*; _ZN*;/'
-  echo '__attribute__((visibility("default"))) int _ZN2ts4leakEv(void); int _ZN2ts4leakEv(void) { return 0; }' >"$at/more.c"
+  echo '__attribute__((visibility("default"))) int _ZN2ts4leakEv(void); int _ZN2ts4leakEv(void) { return 0; }' >>"$at/more.c"
 }
 next_major() {
   header 's/^(#define TS_VERSION_MAJOR) 0$/\1 1/'
@@ -100,6 +101,7 @@ change "C++ symbol leaked" "symbols" leak
 change "SONAME changed" "soname types" edit soname 's/0/1/'
 change "major version and SONAME changed" "reference" next_major
 change "default changed" "defaults" edit defaults '/^ts_segment_options\(TS_PRESET_DEFAULT\).alpha/s/=.*/= 1/'
+change "inside of a handle changed" - edit more.c 's/int inside/double inside[3]/'
 change "function added" - header "$new_function"
 change "struct grown at the end" - header "$grown"
 change "enum value appended" - header "$appended"

@@ -10,6 +10,7 @@ for make_arch in "$2/samples/make-arch" "$2/bin/make-arch"; do [ ! -x "$make_arc
 [ -x "$make_arch" ] || { echo "test.sh: no make-arch in $2"; exit 2; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+major=$(major_of "$(dirname "$abi")")
 passed=0 failed=0
 
 # Counts the lines that begin with ok and FAIL; an exit code that goes with neither is a failure as well.
@@ -28,16 +29,16 @@ run() {
   failed=$((failed + bad))
 }
 
-# says TEXT COMMAND...: fails, and says so.
+# says WHAT TEXT COMMAND...: fails, and says so.
 says() {
-  local text=$1 status=0
-  shift
+  local what=$1 text=$2 status=0
+  shift 2
   "$@" >"$work/heard" 2>&1 || status=$?
   if [ $status != 0 ] && grep -qF "$text" "$work/heard"; then
-    echo "ok    refused: $text"
+    echo "ok    $what: $text"
   else
-    echo "FAIL  exit $status, without: $text"
-    sed 's/^/      /' "$work/heard"
+    echo "FAIL  $what: exit $status, without: $text"
+    sed 's/^/      | /' "$work/heard"
   fi
 }
 
@@ -97,7 +98,8 @@ C
       LD_PRELOAD=$work/fault.so "$abi/run_history.sh" "$libdir" "$make_arch" || echo "FAIL  without a fault"
       continue
     fi
-    says "FAIL  0.1.0/${fault#*:}" env LD_PRELOAD="$work/fault.so" "$abi/run_history.sh" "$libdir" "$make_arch"
+    says "$(sed -n "/FAULT == ${fault%:*}$/{n;s|/\\* \\(.*\\)\\. \\*/|\\1|p}" "$work/fault.c")" "FAIL  0.1.0/${fault#*:}" \
+       env LD_PRELOAD="$work/fault.so" "$abi/run_history.sh" "$libdir" "$make_arch"
   done
 }
 
@@ -114,7 +116,7 @@ kept() {
     "$python" -c 'import json, sys
 for s in json.load(open(sys.argv[1], encoding="utf-8"))["structs"]:
     if s["versioned"]: print(s["name"])' "$reference" | sort >"$work/structs"
-    forms=$(sed -n 's/^  {"\(ts_[a-z_]*\)", .*/\1/p' "$abi/history/$version/sizes.c" | sort -u)
+    forms=$(sed -n 's/^ *{"\(ts_[a-z_]*\)", .*/\1/p' "$abi/history/$version/sizes.c" | sort -u)
     if cmp "$work/structs" <(echo "$forms"); then
       echo "ok    history/$version/sizes.c has every struct"
     else
@@ -125,12 +127,32 @@ for s in json.load(open(sys.argv[1], encoding="utf-8"))["structs"]:
 
 refusals() {
   strip -o "$work/libtoothseg.so" "$lib"
-  says "not all of the interface has debug information" "$abi/check.sh" "$work/libtoothseg.so"
-  says "no library" "$abi/check.sh" "$work/none.so"
+  says "a library without debug information" "not all of the interface has debug information" "$abi/check.sh" "$work/libtoothseg.so"
+  says "none" "no library" "$abi/check.sh" "$work/none.so"
+}
+
+# store.sh, in a copy of the project.
+stored() {
+  local copy=$work/project kind
+  mkdir -p "$copy"
+  cp -r "$abi" "$(dirname "$abi")/include" "$copy"
+  "$copy/abi/store.sh" "$lib" >"$work/heard" || { cat "$work/heard"; return 1; }
+  for kind in json symbols defaults; do
+    cmp "$copy/abi/reference/toothseg-$major.$kind" "$abi/reference/toothseg-$major.$kind" || return 1
+  done
+  "$copy/abi/check.sh" "$lib" >"$work/heard" || { cat "$work/heard"; return 1; }
+  echo "ok    stored anew it is the same"
+  sed -i.before 's/^  uint32_t open_rims;/  uint32_t rims;/' "$copy/include/toothseg.h"
+  says "a break is not stored" "store.sh: nothing is stored" "$copy/abi/store.sh" "$lib"
+  "$copy/abi/store.sh" --replace "$lib" >"$work/heard" || { cat "$work/heard"; return 1; }
+  "$copy/abi/check.sh" "$lib" >"$work/heard" || { cat "$work/heard"; return 1; }
+  echo "ok    with --replace it is"
 }
 
 run "the library, beside the last release" "$abi/check.sh" "$lib"
 run "what is refused" refusals
+run "the reference, stored" stored
+run "rules" "$python" "$abi/test_compare.py"
 run "changes, made to copies" "$abi/selftest.sh"
 run "what releases keep" kept
 run "callers of all releases" "$abi/run_history.sh" "$libdir" "$make_arch"
