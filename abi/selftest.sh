@@ -73,13 +73,13 @@ leak() {
   echo '__attribute__((visibility("default"))) int _ZN2ts4leakEv(void); int _ZN2ts4leakEv(void) { return 0; }' >>"$at/more.c"
 }
 next_major() {
-  header 's/^(#define TS_VERSION_MAJOR) 0$/\1 1/'
-  edit soname 's/0/1/'
+  header 's/^(#define TS_VERSION_MAJOR) [0-9]+$/\1 99/'
+  edit soname 's/[0-9]+$/99/'
 }
 all_allowed() { header "$new_function;$appended;$grown"; }
 new_function='s/^TS_API void ts_mesh_destroy\(/TS_API TS_NODISCARD ts_status ts_mesh_weigh(const ts_mesh *mesh, double *gram);\n&/'
 grown='s/^} ts_save_options;/  uint32_t added;\n&/; s/^} ts_mesh_info;/  double added;\n&/'
-appended='s/^( *TS_OUTPUT_GLB = )3,/\13, TS_OUTPUT_ADDED = 4,/; s/^( *TS_E_MISMATCH = )105,/\1105, TS_E_ADDED = 106,/'
+appended='s/^( *TS_OUTPUT_GLB = )3,/\13, TS_OUTPUT_ADDED = 1000,/; s/^( *TS_E_MISMATCH = )105,/\1105, TS_E_ADDED = 149,/'
 
 row "" change expected got "caught by"
 change "nothing" - true
@@ -98,7 +98,7 @@ change "callback retyped" "compare types" header 's/(\*ts_progress_fn\)\()double
 change "function gone" "compare symbols types" header '/^TS_API void ts_job_reset\(/d'
 change "symbol dropped" "symbols types" edit toothseg.map 's/local:/local: ts_job_reset;/'
 change "C++ symbol leaked" "symbols" leak
-change "SONAME changed" "soname types" edit soname 's/0/1/'
+change "SONAME changed" "soname types" edit soname 's/[0-9]+$/99/'
 change "major version and SONAME changed" "reference" next_major
 change "default changed" "defaults" edit defaults '/^ts_segment_options\(TS_PRESET_DEFAULT\).alpha/s/=.*/= 1/'
 change "inside of a handle changed" - edit more.c 's/int inside/double inside[3]/'
