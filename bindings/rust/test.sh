@@ -69,6 +69,11 @@ hello_prints_a_cut() {
     ! grep -Evq '^-?[0-9]+\.[0-9]{4} -?[0-9]+\.[0-9]{4} -?[0-9]+\.[0-9]{4}$' "$work/cut.txt"
 }
 
+lists_teeth() {
+  list=$PWD/target/debug/examples/list_teeth
+  (cd "$work" && "$list" > teeth.txt) && [ "$(grep -c '^tooth [0-9]*: [0-9]* mm^2, confidence [01]\.[0-9][0-9]$' "$work/teeth.txt")" = 14 ]
+}
+
 writes_teeth() {
   target/debug/examples/segment_arch "$work/small.ply" --all --teeth "$work/teeth" 2> "$work/progress" &&
     [ "$(ls "$work/teeth" | wc -l)" = 15 ] && [ -s "$work/teeth/gingiva.stl" ] && [ -s "$work/teeth/tooth_14.stl" ]
@@ -76,12 +81,13 @@ writes_teeth() {
 
 # The sample on a large scan, and Ctrl-C once it has begun.
 stops_at_ctrl_c() {
-  target/debug/examples/segment_arch "$work/large.ply" --labels "$work/none.txt" 2> "$work/progress" &
+  : > "$work/stopped"
+  target/debug/examples/segment_arch "$work/large.ply" --labels "$work/none.txt" 2> "$work/stopped" &
   sample=$!
-  while [ ! -s "$work/progress" ] && kill -0 $sample; do sleep 0.01; done
+  while [ ! -s "$work/stopped" ] && kill -0 $sample; do sleep 0.01; done
   kill -INT $sample
   wait $sample
-  [ $? = 2 ] && grep -q 'TS_E_CANCELLED' "$work/progress" && [ ! -e "$work/none.txt" ]
+  [ $? = 2 ] && grep -q 'TS_E_CANCELLED' "$work/stopped" && [ ! -e "$work/none.txt" ]
 }
 
 check "arches are made" with_lib "$bin/make-arch" "$work/arch.ply" --triangles 20000 --seed 1
@@ -92,8 +98,8 @@ check "ts-segment runs" with_lib "$bin/ts-segment" "$work/arch.ply" --threads 1 
 check "generated.rs is what the JSON says" python3 generate.py --check
 check "the safe crate leads to every function" every_function_is_used
 
-# The binaries are run from here, so that none of cargo's is needed between building and running.
-if ! "$cargo" test --quiet --offline --locked --jobs 1 --no-run > "$work/build" 2>&1; then
+if ! { "$cargo" test --quiet --offline --locked --jobs 1 --no-run && "$cargo" build --quiet --offline --locked --jobs 1; } \
+  > "$work/build" 2>&1; then
   cat "$work/build"
   echo "$passed passed, $((failed + 1)) failed"
   exit 1
@@ -106,6 +112,7 @@ grep -q '^failures:' "$work/tests" && cat "$work/tests"
 passed=$((passed + ${counts% *}))
 
 check "hello_tooth prints a cut" hello_prints_a_cut
+check "list_teeth lists 14" lists_teeth
 check "segment_arch labels as ts-segment" segments_alike
 check "segment_arch --all labels as ts-segment" segments_alike --all
 check "segment_arch writes teeth" writes_teeth

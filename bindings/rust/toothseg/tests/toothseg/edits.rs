@@ -81,8 +81,8 @@ fn cuts() {
     let cut = s.cut(tooth, 0).unwrap().points;
     let near = (0..cut.len()).min_by(|&a, &b| distance(cut[a].position, to).total_cmp(&distance(cut[b].position, to)));
     let near = near.unwrap() + cut.len();
-    let ends = [cut[(near - 3) % cut.len()].position, cut[(near + 3) % cut.len()].position];
-    let middle = [0, 1, 2].map(|k| 0.5 * (ends[0][k] + ends[1][k]) - 0.3 * up[k]);
+    let ends = [cut[(near - 5) % cut.len()].position, cut[(near + 5) % cut.len()].position];
+    let middle = [0, 1, 2].map(|k| to[k] - 0.8 * up[k]);
     s.draw_cut(tooth, &[ends[0], model().nearest(middle).unwrap().position, ends[1]], None).unwrap();
     s.offset_cut(tooth, 0.1, None).unwrap();
     s.smooth_cut(tooth, 0.5, None).unwrap();

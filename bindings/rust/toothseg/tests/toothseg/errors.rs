@@ -62,7 +62,7 @@ fn files_300() {
     let (s, _) = clicked();
     fails_as(File, Status::FILE_WRITE, s.save(file("no such folder/teeth.ply"), OutputFormat::PLY));
     fails_as(File, Status::FILE_WRITE, s.save_session(file("no such folder/session.json")));
-    let newer = s.write_session().unwrap().replacen("\"version\": 1", "\"version\": 99", 1);
+    let newer = s.write_session().unwrap().replacen("\"toothseg_session\": 1", "\"toothseg_session\": 99", 1);
     fails_as(File, Status::FILE_NEWER, Session::read(&model(), &newer, None));
 }
 
