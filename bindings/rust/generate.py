@@ -68,7 +68,7 @@ def enums(api):
     for e in api["enums"]:
         yield from doc(e["doc"])
         # No enum of Rust: a library that is newer may give a value that is not known here.
-        yield f"pub type {e['name']} = u32;"
+        yield f"pub type {e['name']} = {'i32' if min(v['value'] for v in e['values']) < 0 else 'u32'};"
         for v in e["values"]:
             yield from doc(v["doc"])
             yield f"pub const {v['name']}: {e['name']} = {v['value']};"

@@ -9,6 +9,7 @@ use std::cell::Cell;
 use std::ffi::CStr;
 use std::fmt;
 use std::marker::PhantomData;
+use std::mem::forget;
 use std::os::raw::{c_char, c_void};
 use std::panic::{catch_unwind, resume_unwind, AssertUnwindSafe};
 use std::ptr::null_mut;
@@ -18,6 +19,14 @@ use toothseg_sys as sys;
 
 /// What a panic carries.
 pub(crate) type Payload = Box<dyn Any + Send>;
+
+/// Keeps the first panic. Another is forgotten, not dropped: what it carries may panic in turn, in a callback of the library.
+pub(crate) fn keep_first(kept: &mut Option<Payload>, payload: Payload) {
+    match kept {
+        None => *kept = Some(payload),
+        Some(_) => forget(payload),
+    }
+}
 
 /// A log hook: gets a line without newline, from any thread that works for the context.
 pub type Log = Box<dyn Fn(LogLevel, &str) + Send + Sync>;
@@ -101,7 +110,7 @@ impl Hooks {
     }
 
     fn keep(&self, payload: Payload) {
-        self.panic.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(payload);
+        keep_first(&mut self.panic.lock().unwrap_or_else(PoisonError::into_inner), payload);
         self.has_panicked.store(true, Ordering::Release);
     }
 

@@ -33,10 +33,7 @@ impl Job {
     /// A job whose callback gets the share that is done, from 0 to 1, and the name of the stage, and says whether to go
     /// on. It is called from a thread that works for the call, one call at a time. A panic cancels too, and then goes on
     /// out of the call.
-    pub fn with_progress(
-        context: &Context,
-        callback: impl FnMut(f64, &str) -> bool + Send + 'static,
-    ) -> Result<Self> {
+    pub fn with_progress(context: &Context, callback: impl FnMut(f64, &str) -> bool + Send + 'static) -> Result<Self> {
         Self::make(context, Some(Box::new(callback)))
     }
 

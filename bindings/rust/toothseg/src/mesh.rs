@@ -17,12 +17,7 @@ pub struct Mesh {
 
 impl Mesh {
     /// Of a tooth. A segmentation can be given as it is.
-    pub fn tooth(
-        results: &Results,
-        tooth: u32,
-        options: &ToothMeshOptions,
-        job: Option<&mut Job>,
-    ) -> Result<Self> {
+    pub fn tooth(results: &Results, tooth: u32, options: &ToothMeshOptions, job: Option<&mut Job>) -> Result<Self> {
         let results = results.handle();
         let handle = Handle::make(results.hooks(), job, |job, out| unsafe {
             sys::ts_tooth_mesh_create(results.pointer(), tooth, &options.raw(), job, out)

@@ -115,7 +115,7 @@ impl<'a> MeshInput<'a> {
         raw.scalar = self.scalar.code();
         raw.positions = self.positions;
         raw.vertex_count = count32(vertices)?;
-        raw.stride = count32(self.stride * bytes)?;
+        raw.stride = count32(self.stride.saturating_mul(bytes))?;
         raw.triangles = self.triangles;
         raw.triangle_count = count32(self.indices / 3)?;
         Ok(raw)
@@ -242,10 +242,8 @@ impl Model {
     /// The first surface point hit by a ray.
     pub fn raycast(&self, origin: [f64; 3], direction: [f64; 3]) -> Result<SurfacePoint> {
         let h = &self.handle;
-        info(h.hooks(), |out| unsafe {
-            sys::ts_model_raycast(h.pointer(), origin.as_ptr(), direction.as_ptr(), out)
-        })
-        .map(FromRaw::from_raw)
+        info(h.hooks(), |out| unsafe { sys::ts_model_raycast(h.pointer(), origin.as_ptr(), direction.as_ptr(), out) })
+            .map(FromRaw::from_raw)
     }
 
     pub(crate) fn handle(&self) -> &Handle<sys::ts_model> {

@@ -142,9 +142,7 @@ impl Results {
 
     /// Model vertices of these.
     pub fn tooth_vertices(&self, tooth: u32) -> Result<Vec<u32>> {
-        self.elements(|s, out, capacity, count| unsafe {
-            sys::ts_get_tooth_vertices(s, tooth, out, capacity, count)
-        })
+        self.elements(|s, out, capacity, count| unsafe { sys::ts_get_tooth_vertices(s, tooth, out, capacity, count) })
     }
 
     /// Model vertices held as a tooth's constraint.
@@ -252,9 +250,8 @@ impl Results {
         let h = &self.handle;
         let path = path_text(path.as_ref())?;
         let pointer = Job::pointer(&job);
-        let status = unsafe {
-            sys::ts_segmentation_save(h.pointer(), path.as_ptr(), format.code(), &options.raw(), pointer)
-        };
+        let status =
+            unsafe { sys::ts_segmentation_save(h.pointer(), path.as_ptr(), format.code(), &options.raw(), pointer) };
         h.hooks().finish(status, job)
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-use crate::context::Payload;
+use crate::context::{keep_first, Payload};
 use crate::error::Result;
 use crate::features::Features;
 use crate::job::Job;
@@ -43,7 +43,7 @@ unsafe extern "C" fn on_change(user: *mut c_void, teeth: *const u32, count: u32)
     let listener = &mut *(user as *mut Listener);
     let teeth = if count == 0 { &[] } else { slice::from_raw_parts(teeth, count as usize) };
     if let Err(payload) = catch_unwind(AssertUnwindSafe(|| (listener.callback)(&listener.results, teeth))) {
-        listener.panic = Some(payload);
+        keep_first(&mut listener.panic, payload);
     }
 }
 
@@ -274,9 +274,6 @@ impl Session {
             status
         })?;
         let features = features.expect("a session has features");
-        Ok(Session {
-            features: Features::from_handle(features),
-            segmentation: Segmentation::from_handle(segmentation),
-        })
+        Ok(Session { features: Features::from_handle(features), segmentation: Segmentation::from_handle(segmentation) })
     }
 }

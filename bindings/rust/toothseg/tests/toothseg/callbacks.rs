@@ -120,8 +120,9 @@ fn changes_are_told() {
 fn the_log_is_heard() {
     let lines = Arc::new(Mutex::new(Vec::new()));
     let in_hook = Arc::clone(&lines);
-    let options =
-        ContextOptions::default().threads(1).log(move |level, text| in_hook.lock().unwrap().push((level, text.to_owned())));
+    let options = ContextOptions::default()
+        .threads(1)
+        .log(move |level, text| in_hook.lock().unwrap().push((level, text.to_owned())));
     let context = Context::with(options).unwrap();
     let model = Model::load(&context, file("arch.ply")).unwrap();
     drop(context); // the hook lives on with the model

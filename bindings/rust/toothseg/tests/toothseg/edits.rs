@@ -30,8 +30,7 @@ fn corrections() {
     step(&mut s, |s| s.include(teeth[3], below, None));
     step(&mut s, |s| s.exclude(teeth[3], below, None));
 
-    let points: Vec<FeaturePoint> =
-        arch().1.points().unwrap().into_iter().filter(|p| p.group == teeth[1]).collect();
+    let points: Vec<FeaturePoint> = arch().1.points().unwrap().into_iter().filter(|p| p.group == teeth[1]).collect();
     let (keep, part) = (points[0].position, points[points.len() - 1].position);
     let mut second = 0;
     step(&mut s, |s| {
@@ -41,8 +40,7 @@ fn corrections() {
     assert!(s.teeth().unwrap().contains(&second) && !teeth.contains(&second));
     step(&mut s, |s| s.merge(teeth[1], second, None));
     assert!(!s.teeth().unwrap().contains(&second));
-    let of_tooth: Vec<FeaturePoint> =
-        arch().1.points().unwrap().into_iter().filter(|p| p.group == teeth[6]).collect();
+    let of_tooth: Vec<FeaturePoint> = arch().1.points().unwrap().into_iter().filter(|p| p.group == teeth[6]).collect();
     let seed = of_tooth[0].position;
     let positions = model().positions().unwrap();
     let vertices = s.tooth_vertices(teeth[6]).unwrap();

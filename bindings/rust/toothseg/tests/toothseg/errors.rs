@@ -37,6 +37,7 @@ fn usage_100() {
     fails_as(Usage, Status::INVALID_ARGUMENT, Model::load(&context(), "zero\0inside"));
     fails_as(Usage, Status::INVALID_ARGUMENT, Model::new(&context(), &MeshInput::soup(&[0.0f32; 4])));
     fails_as(Usage, Status::INVALID_ARGUMENT, Model::new(&context(), &MeshInput::soup(&[0.0f32; 9]).stride(2)));
+    fails_as(Usage, Status::INVALID_ARGUMENT, Model::new(&context(), &MeshInput::soup(&triangle).stride(usize::MAX)));
     fails_as(Usage, Status::INVALID_ARGUMENT, Model::new(&context(), &MeshInput::new(&triangle, &[0u32, 1])));
 }
 

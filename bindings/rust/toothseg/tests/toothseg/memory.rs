@@ -114,7 +114,10 @@ fn memory_runs_out_200() {
         fails(Status::OUT_OF_MEMORY, Model::load(&context, file("small.ply")));
         fails(Status::OUT_OF_MEMORY, Segmentation::new(&features));
         counter.refuse_after(0);
-        assert_eq!((s.teeth().unwrap(), s.labels().unwrap(), s.write_session().unwrap()), (teeth.clone(), labels.clone(), session.clone()));
+        assert_eq!(
+            (s.teeth().unwrap(), s.labels().unwrap(), s.write_session().unwrap()),
+            (teeth.clone(), labels.clone(), session.clone())
+        );
     }
     s.click(position, None).unwrap();
     assert_eq!(s.teeth().unwrap().len(), 2);

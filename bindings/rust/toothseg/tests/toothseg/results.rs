@@ -150,9 +150,7 @@ fn sessions() {
     let path = file("session.json");
     segmentation.save_session(&path).unwrap();
     assert_eq!(fs::read_to_string(&path).unwrap().trim_end(), text.trim_end());
-    for session in
-        [Session::read(&model(), &text, None).unwrap(), Session::load(&model(), &path, None).unwrap()]
-    {
+    for session in [Session::read(&model(), &text, None).unwrap(), Session::load(&model(), &path, None).unwrap()] {
         assert_eq!(session.segmentation.labels(), segmentation.labels());
         assert_eq!(session.segmentation.cut(tooth, 0), segmentation.cut(tooth, 0));
         assert_eq!(session.features.points(), arch().1.points());

@@ -87,10 +87,7 @@ fn a_model_from_bytes_and_with_a_job() {
     ] {
         assert_eq!(model.report(), crate::fixture::model().report());
     }
-    fails(
-        Status::FILE_FORMAT,
-        Model::read_with(&context, &bytes, FileFormat::OFF, &options, None),
-    );
+    fails(Status::FILE_FORMAT, Model::read_with(&context, &bytes, FileFormat::OFF, &options, None));
 }
 
 #[test]

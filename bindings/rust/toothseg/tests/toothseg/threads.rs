@@ -34,6 +34,7 @@ fn two_threads_read_one_model() {
                     assert_eq!(model.positions().unwrap(), expected.0);
                     assert_eq!(segmentation.labels().unwrap(), expected.1);
                     assert_eq!(features.points().unwrap(), expected.2);
+                    assert!(segmentation.click_info(0).unwrap().neighbour_distance > 0.0);
                     assert!(model.nearest([0.0; 3]).unwrap().distance > 0.0);
                     // errors are each thread's own
                     fails(Status::NOT_FOUND, segmentation.tooth(tooth + 1000));

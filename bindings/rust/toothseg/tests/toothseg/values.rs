@@ -65,7 +65,10 @@ fn flags_add_up() {
 #[test]
 fn defaults_are_the_library_s() {
     let default = SegmentOptions::default();
-    assert_eq!((default.preset, default.weights, default.cut_rule), (Preset::DEFAULT, Weights::CONCAVITY, CutRule::COMPONENT));
+    assert_eq!(
+        (default.preset, default.weights, default.cut_rule),
+        (Preset::DEFAULT, Weights::CONCAVITY, CutRule::COMPONENT)
+    );
     assert_eq!((default.background, default.contours, default.alpha), (Background::ALL, 100, 1e8));
     assert!(default.reject_outliers);
     let paper = SegmentOptions::preset(Preset::PAPER);
@@ -74,10 +77,7 @@ fn defaults_are_the_library_s() {
     assert_eq!((changed.contours, changed.beta), (50, paper.beta));
     assert_eq!(IntakeOptions::default(), IntakeOptions { unit: Unit::CHECKED_MM, weld_tolerance: 0.0 });
     assert_eq!(FeatureOptions::default(), FeatureOptions { max_points: 8, occlusal: None, radius: 2.0 });
-    assert_eq!(
-        NumberOptions::default(),
-        NumberOptions { jaw: Jaw::UNKNOWN, mirrored: false, least_confidence: 0.9 }
-    );
+    assert_eq!(NumberOptions::default(), NumberOptions { jaw: Jaw::UNKNOWN, mirrored: false, least_confidence: 0.9 });
     assert!(!ToothMeshOptions::default().closed && !SaveOptions::default().whole_faces);
     assert_eq!(ContextOptions::default().threads, 0);
 }
