@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! Finds libtoothseg: in the folder that TOOTHSEG_LIB_DIR names, else by pkg-config.
 
+use std::path::Path;
 use std::process::Command;
 
 fn pkg_config_lib_dir() -> String {
@@ -21,6 +22,8 @@ fn main() {
     println!("cargo:rerun-if-env-changed=TOOTHSEG_LIB_DIR");
     println!("cargo:rerun-if-env-changed=PKG_CONFIG_PATH");
     let dir = std::env::var("TOOTHSEG_LIB_DIR").unwrap_or_else(|_| pkg_config_lib_dir());
+    let path = Path::new(&dir);
+    assert!(path.is_absolute() && path.is_dir(), "{dir}: not the whole path of a folder that is there");
     println!("cargo:rustc-link-search=native={dir}");
     println!("cargo:rustc-link-lib=dylib=toothseg");
     // For the tests of this package; others read `lib_dir` as DEP_TOOTHSEG_LIB_DIR.
