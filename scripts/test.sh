@@ -7,9 +7,9 @@ jobs=$(nproc)
 
 run() {
   echo "== $2"
-  cmake --preset "$1" >/dev/null
+  cmake --preset "$1" "${@:3}" >/dev/null
   cmake --build --preset "$1" -j "$jobs"
   ctest --preset "$1" -j "$jobs"
 }
-run release "release build, warnings are errors"
+run release "release build, warnings are errors" -DTOOTHSEG_ABI_INFO=ON
 [ "${TS_TEST_ASAN:-1}" != 1 ] || run asan "AddressSanitizer and UndefinedBehaviorSanitizer"
