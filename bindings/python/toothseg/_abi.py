@@ -121,7 +121,7 @@ class Status(Enum):
 class LogLevel(Enum):
     """How much a line of the log matters."""
 
-    #: a call failed
+    #: not used so far: a call that fails says so in its status
     ERROR = 0
     #: the call did its work, and something about it is odd
     WARNING = 1
@@ -165,7 +165,7 @@ class FileFormat(Enum):
     PLY = 2
     #: `v` and `f` lines; the rest is passed over
     OBJ = 3
-    #: also COFF, NOFF and the like
+    #: ASCII; [ST][C][N]OFF
     OFF = 4
 
 
@@ -455,7 +455,7 @@ ts_context_options._fields_ = [("struct_size", c_uint32), ("threads", c_uint32),
         ("free", ts_free_fn), ("alloc_user", c_void_p), ("log", ts_log_fn), ("log_user", c_void_p)]
 ts_mesh_input._fields_ = [("struct_size", c_uint32), ("scalar", c_int32), ("positions", c_void_p),
         ("vertex_count", c_uint32), ("stride", c_uint32), ("triangles", POINTER(c_uint32)),
-        ("triangle_count", c_uint32)]
+        ("triangle_count", c_uint32), ("reserved", c_uint32)]
 ts_intake_options._fields_ = [("struct_size", c_uint32), ("unit", c_int32), ("weld_tolerance", c_double)]
 ts_intake_report._fields_ = [("struct_size", c_uint32), ("input_vertices", c_uint32), ("input_faces", c_uint32),
         ("polygons", c_uint32), ("welded_vertices", c_uint32), ("unreferenced_vertices", c_uint32),
@@ -491,7 +491,8 @@ ts_contour_info._fields_ = [("iso", c_double), ("gradient", c_double), ("concavi
 ts_edge_point._fields_ = [("a", c_uint32), ("b", c_uint32), ("t", c_double), ("position", c_double * 3)]
 ts_tooth_info._fields_ = [("struct_size", c_uint32), ("id", c_uint32), ("label", c_uint32), ("click", c_uint32),
         ("faces", c_uint32), ("vertices", c_uint32), ("loops", c_uint32), ("seeds", c_uint32), ("area", c_double),
-        ("iso", c_double), ("gradient", c_double), ("confidence", c_double), ("warnings", c_uint32)]
+        ("iso", c_double), ("gradient", c_double), ("confidence", c_double), ("warnings", c_uint32),
+        ("reserved", c_uint32)]
 ts_cut_info._fields_ = [("struct_size", c_uint32), ("points", c_uint32), ("closed", c_uint32), ("length", c_double),
         ("iso", c_double), ("gradient", c_double), ("concavity", c_double)]
 ts_prepare_times._fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("intake", c_double),
