@@ -51,7 +51,10 @@ export function errorOf(status, message) {
   return new (block ? block[2] : ToothsegError)(status, message);
 }
 
-/** What a status means, for where the library's own message cannot be had. */
-export const meaning = (name, status) => `${name}: ${statusText[status] ?? statusName(status)}`;
+/** What is known of a failure where the library's own message cannot be had: what the status means, and of which file. */
+export function meaning(name, status, args) {
+  const path = args.find((arg) => typeof arg === 'string');
+  return `${name}: ${statusText[status] ?? statusName(status)}${path === undefined ? '' : ` ('${path}')`}`;
+}
 
 export const invalid = (message) => new UsageError(Status.E_INVALID_ARGUMENT, message);

@@ -3,7 +3,7 @@
 // JavaScript runs on one thread, but an asynchronous call works on its objects while JavaScript goes on. So each call
 // holds its objects as the library wants it: many at a time where it takes them as const, one where it does not.
 import { Status, functions as signatures, handles, structs } from './abi.js';
-import { UsageError, errorOf, invalid, meaning } from './errors.js';
+import { ToothsegError, UsageError, errorOf, invalid, meaning } from './errors.js';
 import { decodeAll, functions, register, sizeOf, unregister } from './native.js';
 import { tidy, withDefaults } from './values.js';
 
@@ -160,7 +160,7 @@ function thrownByHook(root) {
 function settle({ name, args, result }, plan, root, status, message, thrown) {
   const byHook = thrownByHook(root);
   const made = status === Status.OK ? result?.(root) : undefined;
-  const failure = thrown ?? (status === Status.OK ? null : { error: errorOf(status, message(name, status)) }) ?? byHook;
+  const failure = thrown ?? (status === Status.OK ? null : { error: errorOf(status, message(name, status, args)) }) ?? byHook;
   try {
     if (failure) throw failure.error;
     for (const { at } of plan.handles) args[at][SETTLED]();
@@ -275,6 +275,8 @@ export function later(request, options = {}) {
   const plan = planOf(name);
   options.signal?.throwIfAborted();
   const held = hold(name, args, plan);
+  const caller = {};
+  Error.captureStackTrace?.(caller, later);
   let watcher;
   return new Promise((resolve, reject) => {
     const done = (error, status) => {
@@ -285,6 +287,7 @@ export function later(request, options = {}) {
         // The library's message belongs to the thread of the call, which cannot be asked any more.
         resolve(settle(request, plan, held.root, status, meaning, thrown));
       } catch (failure) {
+        if (failure instanceof ToothsegError && caller.stack) failure.stack = `${failure}${caller.stack.replace(/^[^\n]*/, '')}`;
         reject(failure);
       } finally {
         held.end();
