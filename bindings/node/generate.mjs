@@ -52,6 +52,9 @@ function argumentType({ type, direction = 'in', array }) {
   return type.kind === 'scalar' || type.kind === 'enum' ? `${base} *` : 'void *';
 }
 
+// koffi lets a callback return memory of a type only, and its own memory has one.
+const callbackResult = (type) => argumentType({ type }).replace(/^void \*/, 'uint8_t *');
+
 function fieldType({ type }) {
   if (type.pointer) return 'void *';
   const base = type.kind === 'enum' ? 'int' : type.kind === 'callback' ? `${type.base} *` : type.base;
@@ -76,7 +79,7 @@ function tables() {
   for (const h of abi.handles) out.push(`  ${h.name}: ${quote(h.destroy)},\n`);
   out.push('};\n\nexport const callbacks = {\n');
   for (const c of abi.callbacks)
-    out.push(`  ${c.name}: [${quote(argumentType({ type: c.returns }))}, ${literal(c.arguments.map(argumentType))}],\n`);
+    out.push(`  ${c.name}: [${quote(callbackResult(c.returns))}, ${literal(c.arguments.map(argumentType))}],\n`);
   out.push('};\n\n// Fields in their order, in camelCase; flags are numbers that mean no or yes.\nexport const structs = {\n');
   for (const s of abi.structs) {
     out.push(`  ${s.name}: {\n    fields: {\n`);

@@ -204,7 +204,7 @@ export const handles = {
 };
 
 export const callbacks = {
-  ts_alloc_fn: ['void *', ['size_t', 'void *']],
+  ts_alloc_fn: ['uint8_t *', ['size_t', 'void *']],
   ts_free_fn: ['void', ['void *', 'void *']],
   ts_log_fn: ['void', ['int', 'const char *', 'void *']],
   ts_progress_fn: ['int', ['double', 'const char *', 'void *']],

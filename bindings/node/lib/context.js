@@ -20,18 +20,18 @@ function logHook(hooks) {
 
 // The library's memory cannot be JavaScript's own: the hook is asked and told, the memory is taken here.
 function memoryHooks(hooks, memory) {
-  const sizes = new Map();
+  const taken = new Map(); // by address
   const take = (bytes) => {
     if (guarded(hooks, () => memory.allocate?.(bytes)) === false || hooks.thrown) return null;
-    const pointer = allocate(bytes);
-    sizes.set(addressOf(pointer), bytes);
-    return pointer;
+    const block = allocate(bytes);
+    taken.set(addressOf(block), { block, bytes });
+    return block;
   };
   const give = (pointer) => {
     const address = addressOf(pointer);
-    const bytes = sizes.get(address);
-    sizes.delete(address);
-    free(pointer);
+    const { block, bytes } = taken.get(address);
+    taken.delete(address);
+    free(block);
     guarded(hooks, () => memory.free?.(bytes));
   };
   return [register(take, 'ts_alloc_fn'), register(give, 'ts_free_fn')];

@@ -72,5 +72,5 @@ export const decodeIndices = (pointer, count) => Uint32Array.from(count ? koffi.
 
 // Memory for allocator hooks, aligned to 16 bytes.
 export const allocate = (bytes) => koffi.alloc('uint8_t', bytes);
-export const free = (pointer) => koffi.free(pointer);
+export const free = (memory) => koffi.free(memory);
 export const addressOf = (pointer) => koffi.address(pointer);

@@ -179,10 +179,15 @@ function dropAll(made) {
 
 const ownMessage = () => functions.ts_last_error_message();
 
-/** A short call, at once. */
-export function call(name, ...args) {
-  return now({ name, args });
+/** A short call, at once: `args` as of now(). */
+function shortCall(name, args, result) {
+  if (planOf(name).handles.length > 0) return now({ name, args, result });
+  const status = functions[name](...args); // on no object: nothing to hold
+  if (status !== Status.OK) throw errorOf(status, ownMessage());
+  return result?.();
 }
+
+export const call = (name, ...args) => shortCall(name, args);
 
 /**
  * A call, at once. `request`: `name`, `args` (public objects for handles, anything for the job), `result(root)`.
@@ -326,36 +331,37 @@ export function info(name, struct, ...args) {
   return tidy(struct, record);
 }
 
+// For the one number of a short call, which is read before anything else can run.
+const ONE = new Uint32Array(1);
+const readOne = () => ONE[0];
+
 /** A number that a getter gives: its last argument. */
-export function value(name, ...args) {
-  const out = new Uint32Array(1);
-  call(name, ...args, out);
-  return out[0];
-}
+export const value = (name, ...args) => shortCall(name, [...args, ONE], readOne);
 
 /**
  * The elements of a getter, `per` numbers each, written by the library into a new array, or into `into`, of which the
  * part that was filled is returned.
  */
 export function elements(Type, per, name, args, into) {
-  const count = new Uint32Array(1);
   if (into === undefined) {
-    call(name, ...args, null, 0, count);
-    into = new Type(per * count[0]);
+    into = new Type(per * value(name, ...args, null, 0));
     if (into.length === 0) return into;
   } else if (!(into instanceof Type)) {
     throw invalid(`${name}: wants a ${Type.name} to fill`);
   }
-  call(name, ...args, into, Math.floor(into.length / per), count);
-  return into.length === per * count[0] ? into : into.subarray(0, per * count[0]);
+  const filled = per * value(name, ...args, into, Math.floor(into.length / per));
+  return into.length === filled ? into : into.subarray(0, filled);
 }
 
-/** The elements of a getter that are structs. `more`: arguments after the count, once it is known. */
-export function records(struct, name, args, before = [], after = []) {
-  const count = new Uint32Array(1);
-  call(name, ...args, ...before, null, 0, count, ...after.map(() => null));
-  if (count[0] === 0) return [];
-  const bytes = new Uint8Array(count[0] * sizeOf(struct));
-  call(name, ...args, ...before, bytes, count[0], count, ...after);
-  return decodeAll(bytes, struct, count[0]).map((record) => tidy(struct, record));
+/** The elements of a getter that are structs. `after`: arrays for the arguments after the count. */
+export function records(struct, name, args, after = []) {
+  const count = fill(null, 0, after.map(() => null));
+  if (count === 0) return [];
+  const bytes = new Uint8Array(count * sizeOf(struct));
+  fill(bytes, count, after);
+  return decodeAll(bytes, struct, count).map((record) => tidy(struct, record));
+
+  function fill(buffer, capacity, more) {
+    return shortCall(name, [...args, buffer, capacity, ONE, ...more], readOne);
+  }
 }

@@ -144,7 +144,7 @@ export class Segmentation extends Resource {
     const starts = new Uint32Array(polylines);
     const closed = new Uint8Array(polylines);
     // The library is asked also where there is no such contour, and says so.
-    const all = records('ts_edge_point', 'ts_get_contour_points', [this, click, contour], [], [starts, closed]);
+    const all = records('ts_edge_point', 'ts_get_contour_points', [this, click, contour], [starts, closed]);
     return Array.from(starts, (start, i) => ({ points: all.slice(start, starts[i + 1] ?? all.length), closed: closed[i] !== 0 }));
   }
 
@@ -170,7 +170,7 @@ export class Segmentation extends Resource {
   }
   cut(tooth, loop = 0) {
     const record = blank('ts_cut_info');
-    const points = records('ts_edge_point', 'ts_get_cut', [this, index(tooth, 'tooth'), index(loop, 'loop')], [record]);
+    const points = records('ts_edge_point', 'ts_get_cut', [this, index(tooth, 'tooth'), index(loop, 'loop'), record]);
     return { info: tidy('ts_cut_info', record), points };
   }
   labels(into) {
