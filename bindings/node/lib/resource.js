@@ -260,6 +260,7 @@ function watch(job, { onProgress, signal }) {
       cancel();
     }
   };
+  if (onProgress) report();
   const timer = onProgress && setInterval(report, POLL_MS);
   signal?.addEventListener('abort', cancel);
   return {
