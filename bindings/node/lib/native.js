@@ -74,3 +74,5 @@ export const decodeIndices = (pointer, count) => Uint32Array.from(count ? koffi.
 export const allocate = (bytes) => koffi.alloc('uint8_t', bytes);
 export const free = (memory) => koffi.free(memory);
 export const addressOf = (pointer) => koffi.address(pointer);
+
+export const atExit = (action) => process.on('exit', action);

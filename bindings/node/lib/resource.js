@@ -4,7 +4,7 @@
 // holds its objects as the library wants it: many at a time where it takes them as const, one where it does not.
 import { Status, functions as signatures, handles, structs } from './abi.js';
 import { ToothsegError, UsageError, errorOf, invalid, meaning } from './errors.js';
-import { decodeAll, functions, register, sizeOf, unregister } from './native.js';
+import { atExit, decodeAll, functions, register, sizeOf, unregister } from './native.js';
 import { tidy, withDefaults } from './values.js';
 
 const OWNER = Symbol('owner');
@@ -243,7 +243,11 @@ export function now(request, options = {}) {
 
 const POLL_MS = 30;
 
-// Looks after a running call's progress. A native callback would make the library's threads wait for JavaScript, and
+// Node waits for calls that are running when the process exits, and answers no hook of theirs any more.
+const running = new Set();
+atExit(() => running.forEach((job) => functions.ts_job_cancel(job)));
+
+// Looks after a running call's job. A native progress callback would make the library's threads wait for JavaScript, and
 // for ever where JavaScript in its turn waits for them.
 function watch(job, { onProgress, signal }) {
   const cancel = () => functions.ts_job_cancel(job);
@@ -260,6 +264,7 @@ function watch(job, { onProgress, signal }) {
       cancel();
     }
   };
+  running.add(job);
   if (onProgress) report();
   const timer = onProgress && setInterval(report, POLL_MS);
   signal?.addEventListener('abort', cancel);
@@ -268,6 +273,7 @@ function watch(job, { onProgress, signal }) {
       clearInterval(timer);
       signal?.removeEventListener('abort', cancel);
       if (onProgress && status === Status.OK) report();
+      running.delete(job);
       functions.ts_job_destroy(job);
       if (status === Status.E_CANCELLED && signal?.aborted) thrown ??= { error: signal.reason };
       return thrown;
@@ -300,8 +306,8 @@ export function later(request, options = {}) {
       }
     };
     try {
-      const job = options.signal || options.onProgress ? makeJob(held.root, null) : null;
-      if (job) watcher = watch(job, options);
+      const job = makeJob(held.root, null);
+      watcher = watch(job, options);
       functions[name].async(...raw(args, plan, held, job), done);
     } catch (error) {
       done(error);

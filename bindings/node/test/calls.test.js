@@ -1,12 +1,15 @@
 // Progress, cancelling, callbacks, threads, memory. SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { existsSync } from 'node:fs';
 import { before, test } from 'node:test';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 
 import { Context, Features, LogLevel, Model, ResourceError, Segmentation, UsageError } from 'toothseg';
 
-import { asText, failsWith, prepared, scan, smallScan, wantedLabels } from './common.js';
+import { asText, failsWith, inFolder, prepared, scan, smallScan, wantedLabels } from './common.js';
 
 let context, model, features;
 before(() => ({ context, model, features } = prepared()));
@@ -57,6 +60,28 @@ test('cancelling asynchronous calls leaves everything as it was', async () => {
   unused.abort();
   assert.equal(asText(segmentation.labels()), wantedLabels);
   segmentation.dispose();
+});
+
+const run = (text) => spawn(process.execPath, ['--input-type=module', '-e', text], { cwd: new URL('..', import.meta.url).pathname });
+
+test('a process that exits meanwhile cancels its calls and ends', async () => {
+  const child = run(`import { Context, Model } from 'toothseg';
+    const context = new Context({ log() {} });
+    for (let i = 0; i < 8; ++i) Model.load(context, ${JSON.stringify(scan)});
+    process.exit(3);`);
+  const timer = setTimeout(() => child.kill('SIGKILL'), 20000);
+  const [code] = await once(child, 'exit');
+  clearTimeout(timer);
+  assert.equal(code, 3);
+});
+
+test('Ctrl-C cancels segment_arch, and nothing is written', async () => {
+  const program = new URL('../samples/segment_arch.js', import.meta.url).pathname;
+  const child = spawn(process.execPath, [program, scan, '--labels', inFolder('cancelled.txt')]);
+  child.stderr.once('data', () => child.kill('SIGINT'));
+  const [code] = await once(child, 'exit');
+  assert.equal(code, 130);
+  assert.equal(existsSync(inFolder('cancelled.txt')), false);
 });
 
 test('JavaScript goes on while a call runs', async () => {
