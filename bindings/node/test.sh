@@ -15,6 +15,7 @@ export TOOTHSEG_TEST_FOLDER
 export TOOTHSEG_LIBRARY="$library/libtoothseg.so" LD_LIBRARY_PATH="$library${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
 "$programs/make-arch" "$TOOTHSEG_TEST_FOLDER/arch.ply" --triangles 20000 --seed 1 >/dev/null
 "$programs/make-arch" "$TOOTHSEG_TEST_FOLDER/small.ply" --triangles 5000 --seed 2 >/dev/null
+"$programs/make-arch" "$TOOTHSEG_TEST_FOLDER/noisy.ply" --triangles 8000 --noise 1 --isotropic >/dev/null
 "$programs/ts-segment" "$TOOTHSEG_TEST_FOLDER/arch.ply" --labels "$TOOTHSEG_TEST_FOLDER/labels.txt" >/dev/null
 
 tap="$TOOTHSEG_TEST_FOLDER/tap"

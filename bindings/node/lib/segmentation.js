@@ -86,6 +86,7 @@ const loadSessionRequest = (model, path) => sessionRequest('ts_session_load', [m
 
 export class Segmentation extends Resource {
   #listener = null;
+  #labelCount;
   #changes = []; // told by the library, and not yet to the listener
 
   constructor(owner) {
@@ -174,6 +175,8 @@ export class Segmentation extends Resource {
     return { info: tidy('ts_cut_info', record), points };
   }
   labels(into) {
+    // Their number never changes, and the library works all of them out to tell it.
+    if (into === undefined) into = new Uint32Array((this.#labelCount ??= value('ts_get_labels', this, null, 0)));
     return elements(Uint32Array, 1, 'ts_get_labels', [this], into);
   }
   review() {

@@ -5,7 +5,8 @@ import { join } from 'node:path';
 
 import { Context, Features, Model, Segmentation } from 'toothseg';
 
-/** Set by test.sh: a folder with the scan arch.ply, its labels by ts-segment (labels.txt), a scan small.ply, and room for more. */
+/** Set by test.sh: a folder with the scan arch.ply, its labels by ts-segment (labels.txt), a scan small.ply, one
+ *  whose teeth cannot be closed (noisy.ply), and room for more. */
 export const folder = process.env.TOOTHSEG_TEST_FOLDER;
 export const scan = join(folder, 'arch.ply');
 export const smallScan = join(folder, 'small.ply');
