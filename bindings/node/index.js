@@ -12,4 +12,5 @@ export { Features } from './lib/features.js';
 export { ToothMesh } from './lib/mesh.js';
 export { Model } from './lib/model.js';
 export { fdiToPalmer, fdiToUniversal, universalToFdi, version } from './lib/numbers.js';
+export { Resource } from './lib/resource.js';
 export { Segmentation } from './lib/segmentation.js';

@@ -171,9 +171,10 @@ function settle({ name, args, result }, plan, root, status, message, thrown) {
   return made;
 }
 
-// A resource, or an object of resources, that nobody will get.
+// A native object, a resource or an object of resources, that nobody will get.
 function dropAll(made) {
-  if (made instanceof Resource) made.dispose();
+  if (made instanceof Owner) made.destroy();
+  else if (made instanceof Resource) made.dispose();
   else if (made?.constructor === Object) Object.values(made).forEach(dropAll);
 }
 
