@@ -105,6 +105,11 @@ export interface Mesh {
   stride?: number;
 }
 
+export interface ReadOptions extends IntakeOptions {
+  /** Default: told from the content. */
+  format?: FileFormat;
+}
+
 /** A mesh after intake: welded, clean, manifold, consistently wound. Never changes. */
 export declare class Model extends Resource {
   private constructor();
@@ -112,8 +117,8 @@ export declare class Model extends Resource {
   static load(context: Context, path: string, options?: IntakeOptions & LaterOptions): Promise<Model>;
   static loadSync(context: Context, path: string, options?: IntakeOptions & NowOptions): Model;
   /** From a file in memory. */
-  static read(context: Context, bytes: Uint8Array | ArrayBuffer, options?: IntakeOptions & LaterOptions & { format?: FileFormat }): Promise<Model>;
-  static readSync(context: Context, bytes: Uint8Array | ArrayBuffer, options?: IntakeOptions & NowOptions & { format?: FileFormat }): Model;
+  static read(context: Context, bytes: Uint8Array | ArrayBuffer, options?: ReadOptions & LaterOptions): Promise<Model>;
+  static readSync(context: Context, bytes: Uint8Array | ArrayBuffer, options?: ReadOptions & NowOptions): Model;
   /** From arrays. */
   static create(context: Context, mesh: Mesh, options?: IntakeOptions & LaterOptions): Promise<Model>;
   static createSync(context: Context, mesh: Mesh, options?: IntakeOptions & NowOptions): Model;

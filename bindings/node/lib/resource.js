@@ -300,7 +300,8 @@ export function later(request, options = {}) {
         // The library's message belongs to the thread of the call, which cannot be asked any more.
         resolve(settle(request, plan, held.root, status, meaning, thrown));
       } catch (failure) {
-        if (failure instanceof ToothsegError && caller.stack) failure.stack = `${failure}${caller.stack.replace(/^[^\n]*/, '')}`;
+        if (failure instanceof ToothsegError && caller.stack)
+          failure.stack = `${failure}${caller.stack.replace(/^[^\n]*/, '')}`;
         reject(failure);
       } finally {
         held.end();

@@ -7,7 +7,7 @@ import { decodeIndices, register, unregister } from './native.js';
 import {
   JOB_OPTIONS, Owner, Resource, SETTLED, blank, call, elements, info, later, now, optionsOf, ownerOf, records, value,
 } from './resource.js';
-import { index, number, point, points, text, tidy } from './values.js';
+import { bytes64, index, number, point, points, text, tidy } from './values.js';
 
 function create(features, options) {
   const { preset = Preset.DEFAULT } = options;
@@ -146,7 +146,8 @@ export class Segmentation extends Resource {
     const closed = new Uint8Array(polylines);
     // The library is asked also where there is no such contour, and says so.
     const all = records('ts_edge_point', 'ts_get_contour_points', [this, click, contour], [starts, closed]);
-    return Array.from(starts, (start, i) => ({ points: all.slice(start, starts[i + 1] ?? all.length), closed: closed[i] !== 0 }));
+    const line = (start, i) => ({ points: all.slice(start, starts[i + 1] ?? all.length), closed: closed[i] !== 0 });
+    return Array.from(starts, line);
   }
 
   // --------------------------------------------------------------------------------------------------------- teeth
@@ -315,9 +316,7 @@ export class Segmentation extends Resource {
     return info('ts_get_history', 'ts_history_info', this);
   }
   setHistoryLimit(bytes) {
-    if (typeof bytes !== 'bigint' && !Number.isSafeInteger(bytes)) throw invalid(`bytes is ${String(bytes)}, not a whole number`);
-    if (bytes < 0) throw invalid('bytes is under 0');
-    call('ts_set_history_limit', this, bytes);
+    call('ts_set_history_limit', this, bytes64(bytes, 'bytes'));
   }
   changes() {
     return [...elements(Uint32Array, 1, 'ts_get_changes', [this])];

@@ -15,7 +15,7 @@ export function number(value, what) {
   return value;
 }
 
-function bytes64(value, what) {
+export function bytes64(value, what) {
   const whole = typeof value === 'bigint' ? value >= 0n && value < 1n << 64n : Number.isSafeInteger(value) && value >= 0;
   if (!whole) throw invalid(`${what} is ${String(value)}, not a whole number from 0 to 2^64 - 1`);
   return value;

@@ -50,6 +50,7 @@ test('100: what this layer refuses before the library sees it', () => {
   failsWith(UsageError, 'TS_E_INVALID_ARGUMENT', () => Features.detectSync(model, { maxPoint: 4 }));
   failsWith(UsageError, 'TS_E_INVALID_ARGUMENT', () => Features.detectSync(model, { maxPoints: 4.5 }));
   failsWith(UsageError, 'TS_E_INVALID_ARGUMENT', () => Segmentation.createSync(features, { memoryLimit: -1n }));
+  for (const bytes of [-1, 1.5, -1n, '1']) failsWith(UsageError, 'TS_E_INVALID_ARGUMENT', () => segmentation.setHistoryLimit(bytes));
   failsWith(UsageError, 'TS_E_INVALID_ARGUMENT', () => new Model());
   failsWith(UsageError, 'TS_E_NULL', () => Features.detectSync(features));
   failsWith(UsageError, 'TS_E_NULL', () => Model.loadSync(null, scan));
