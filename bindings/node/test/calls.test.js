@@ -6,6 +6,7 @@ import { existsSync } from 'node:fs';
 import { before, test } from 'node:test';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
+import { Worker } from 'node:worker_threads';
 
 import { Context, Features, LogLevel, Model, ResourceError, Segmentation, UsageError } from 'toothseg';
 
@@ -82,6 +83,24 @@ test('Ctrl-C cancels segment_arch, and nothing is written', async () => {
   const [code] = await once(child, 'exit');
   assert.equal(code, 130);
   assert.equal(existsSync(inFolder('cancelled.txt')), false);
+});
+
+test('Worker threads have the library to themselves, hooks included', async () => {
+  const entry = JSON.stringify(new URL('../index.js', import.meta.url).href);
+  const text = `import(${entry}).then(async ({ Context, Features, Model, Segmentation }) => {
+    const lines = [];
+    const context = new Context({ threads: 1, log: (level, text) => lines.push(text) });
+    const features = await Features.detect(Model.loadSync(context, ${JSON.stringify(scan)}));
+    const segmentation = Segmentation.createSync(features);
+    await segmentation.segmentAll();
+    require('node:worker_threads').parentPort.postMessage({ lines: lines.length, labels: segmentation.labels() });
+  });`;
+  const workers = [1, 2].map(() => new Worker(text, { eval: true }));
+  for (const [{ lines, labels }] of await Promise.all(workers.map((worker) => once(worker, 'message')))) {
+    assert.ok(lines >= 2);
+    assert.equal(asText(labels), wantedLabels);
+  }
+  await Promise.all(workers.map((worker) => worker.terminate()));
 });
 
 test('JavaScript goes on while a call runs', async () => {
