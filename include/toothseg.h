@@ -861,7 +861,8 @@ TS_API TS_NODISCARD ts_status ts_get_changes(const ts_segmentation *segmentation
                                              uint32_t *count);
 
 /** Called on the thread of the call that changed something, after the change, with what ts_get_changes tells; `teeth` lives
- *  as long as the callback. It may read the segmentation, and must not change or destroy it. */
+ *  as long as the callback. It may read the segmentation and must not destroy it; calls that would change it are refused
+ *  (TS_E_INVALID_ARGUMENT). */
 typedef void (*ts_change_fn)(void *user, const uint32_t *teeth, uint32_t count);
 
 /** `callback` NULL: none. Errors: TS_E_NULL. */

@@ -5,6 +5,11 @@ cd "$(dirname "$0")/.."
 scripts/install_deps.sh test
 jobs=$(nproc)
 
+# What the Node binding is tested with, from the npm registry.
+if [ ! -d bindings/node/node_modules ]; then
+  (cd bindings/node && npm ci --ignore-scripts --no-audit --no-fund >/dev/null)
+fi
+
 run() {
   echo "== $2"
   cmake --preset "$1" "${@:3}" >/dev/null

@@ -93,35 +93,52 @@ export declare const Status: {
 };
 export type Status = (typeof Status)[keyof typeof Status];
 
+/** How much a line of the log matters. */
 export declare const LogLevel: {
+  /** not used so far: a call that fails says so in its status */
   readonly ERROR: 0;
+  /** the call did its work, and something about it is odd */
   readonly WARNING: 1;
+  /** what was found and how long it took */
   readonly INFO: 2;
 };
 export type LogLevel = (typeof LogLevel)[keyof typeof LogLevel];
 
+/** Type of the caller's coordinates. */
 export declare const Scalar: {
+  /** float */
   readonly FLOAT32: 0;
+  /** double */
   readonly FLOAT64: 1;
 };
 export type Scalar = (typeof Scalar)[keyof typeof Scalar];
 
 /** Unit of the caller's coordinates. TS_UNIT_CHECKED_MM: mm, and TS_E_MESH_UNITS if the size of the mesh contradicts it (bounding box diagonal under 9 or over 400); the others convert without a check. */
 export declare const Unit: {
+  /** mm, checked */
   readonly CHECKED_MM: 0;
+  /** mm, whatever the size */
   readonly MM: 1;
+  /** 10 mm */
   readonly CM: 2;
+  /** 1000 mm */
   readonly M: 3;
+  /** 25.4 mm */
   readonly INCH: 4;
 };
 export type Unit = (typeof Unit)[keyof typeof Unit];
 
+/** Formats that are read. */
 export declare const FileFormat: {
   /** told from the content, not from the name */
   readonly AUTO: 0;
+  /** binary or ASCII */
   readonly STL: 1;
+  /** ASCII, or binary of either byte order */
   readonly PLY: 2;
+  /** `v` and `f` lines; the rest is passed over */
   readonly OBJ: 3;
+  /** ASCII; [ST][C][N]OFF */
   readonly OFF: 4;
 };
 export type FileFormat = (typeof FileFormat)[keyof typeof FileFormat];
@@ -137,6 +154,7 @@ export declare const FeaturesWarning: {
 };
 export type FeaturesWarning = (typeof FeaturesWarning)[keyof typeof FeaturesWarning];
 
+/** What options are initialised to. */
 export declare const Preset: {
   /** the best we know: docs/method.md */
   readonly DEFAULT: 0;
@@ -209,21 +227,29 @@ export type ToothWarning = (typeof ToothWarning)[keyof typeof ToothWarning];
 
 /** The jaw of a scan. */
 export declare const Jaw: {
+  /** not known */
   readonly UNKNOWN: 0;
+  /** maxilla */
   readonly UPPER: 1;
+  /** mandible */
   readonly LOWER: 2;
 };
 export type Jaw = (typeof Jaw)[keyof typeof Jaw];
 
+/** What an edit did. */
 export declare const EditKind: {
+  /** ts_cut_drag */
   readonly DRAG: 1;
+  /** ts_cut_draw */
   readonly DRAW: 2;
+  /** ts_cut_offset */
   readonly OFFSET: 3;
+  /** ts_cut_smooth */
   readonly SMOOTH: 4;
 };
 export type EditKind = (typeof EditKind)[keyof typeof EditKind];
 
-/** What a vertex is. Values are fixed; */
+/** What a vertex is. */
 export declare const MeshVertexFlag: {
   /** shared with another part */
   readonly ON_CUT: 1;
@@ -234,7 +260,7 @@ export declare const MeshVertexFlag: {
 };
 export type MeshVertexFlag = (typeof MeshVertexFlag)[keyof typeof MeshVertexFlag];
 
-/** Formats that are written. Values are fixed; */
+/** Formats that are written. */
 export declare const OutputFormat: {
   /** binary; floats */
   readonly STL: 0;
@@ -247,6 +273,7 @@ export declare const OutputFormat: {
 };
 export type OutputFormat = (typeof OutputFormat)[keyof typeof OutputFormat];
 
+/** How a mesh is taken in. */
 export interface IntakeOptions {
   /** default TS_UNIT_CHECKED_MM */
   unit?: Unit;
@@ -296,9 +323,11 @@ export interface IntakeReport {
 
 /** A point on the surface: a model face and the weights of its three corners (sum 1). */
 export interface SurfacePoint {
+  /** of the model */
   face: number;
   /** the corner with the largest weight */
   nearestVertex: number;
+  /** weights of its corners, in their order */
   barycentric: [number, number, number];
   /** mm */
   position: [number, number, number];
@@ -306,6 +335,7 @@ export interface SurfacePoint {
   distance: number;
 }
 
+/** How features are found. */
 export interface FeatureOptions {
   /** most points a tooth. Default 8 */
   maxPoints?: number;
@@ -315,8 +345,11 @@ export interface FeatureOptions {
   radius?: number;
 }
 
+/** Counts of a set of features, and what the detection saw of the scan. */
 export interface FeaturesInfo {
+  /** number of groups */
   groups: number;
+  /** number of points in all of them */
   points: number;
   /** 1 if the detection found that the faces look inwards; everything works all the same */
   insideOut: boolean;
@@ -330,6 +363,7 @@ export interface FeaturesInfo {
   archLength: number;
 }
 
+/** A feature point: where a tooth is held. */
 export interface FeaturePoint {
   /** stays the same while the point exists */
   id: number;
@@ -345,6 +379,7 @@ export interface FeaturePoint {
   convexity: number;
 }
 
+/** The feature points of a tooth. */
 export interface FeatureGroup {
   /** stays the same while the group exists */
   id: number;
@@ -356,8 +391,9 @@ export interface FeatureGroup {
   next: number;
   /** mean of its points, mm */
   centre: [number, number, number];
-  /** where its tooth begins and ends along the arch curve, mm; 0, 0 if made by hand */
+  /** where its tooth begins along the arch curve, mm; 0 if made by hand */
   archFrom: number;
+  /** where it ends, mm; 0 if made by hand */
   archTo: number;
   /** 0 to 1: how sure the detection is that this is one tooth; 1 if made by hand */
   confidence: number;
@@ -395,9 +431,9 @@ export interface SegmentOptions {
   seedRadius?: number;
   /** from every feature point, mm, at which gingiva begins for certain. 13 */
   gingivaDistance?: number;
-  /** a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330 */
+  /** least area of a tooth, mm^2, for COMPONENT and for warnings. 25 / 25 */
   areaMin?: number;
-  /** a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330 */
+  /** largest area of a tooth, mm^2. 330 / 330 */
   areaMax?: number;
   /** holes in a tooth's region up to this are filled, mm^2. 40 / 0 */
   holeArea?: number;
@@ -425,9 +461,11 @@ export interface ClickTimes {
   cut: number;
   /** faces, refinement, labels */
   label: number;
+  /** of the call, but for its entry in the history */
   total: number;
 }
 
+/** What came of a click. */
 export interface ClickInfo {
   /** tooth clicked: id of its group */
   target: number;
@@ -445,11 +483,13 @@ export interface ClickInfo {
   targetIso: number;
   /** NaN if there is no neighbour */
   neighbourIso: number;
+  /** how long it took */
   ms: ClickTimes;
 }
 
 /** One iso-value's contour of a click's field (Fig. 4A). */
 export interface ContourInfo {
+  /** the value */
   iso: number;
   /** mean of |grad u| along it, 1/mm */
   gradient: number;
@@ -459,6 +499,7 @@ export interface ContourInfo {
   length: number;
   /** in all its polylines */
   points: number;
+  /** number of these */
   polylines: number;
   /** 1 = cut of the target, 2 = of the neighbour, 0 = neither */
   chosen: number;
@@ -466,8 +507,11 @@ export interface ContourInfo {
 
 /** A point of a contour or cut: on the edge from model vertex `a` to `b`, at (1 - t) a + t b. */
 export interface EdgePoint {
+  /** model vertex */
   a: number;
+  /** model vertex */
   b: number;
+  /** 0 at a, 1 at b */
   t: number;
   /** mm */
   position: [number, number, number];
@@ -475,6 +519,7 @@ export interface EdgePoint {
 
 /** A separated tooth. Its id is the id of its feature group, or of the group that a click made (ts_segment_click). */
 export interface ToothInfo {
+  /** of the tooth */
   id: number;
   /** what ts_get_labels writes: place of its feature group along the arch counted from 1; of the n-th group made by a click the number of feature groups + n; not an FDI number */
   label: number;
@@ -500,7 +545,9 @@ export interface ToothInfo {
   warnings: number;
 }
 
+/** A loop of a cut. */
 export interface CutInfo {
+  /** number of these */
   points: number;
   /** 1: the last point is joined to the first */
   closed: boolean;
@@ -522,6 +569,7 @@ export interface PrepareTimes {
   features: number;
   /** curvature, concavity, weights */
   weights: number;
+  /** constraints, ordering, factorisation */
   factorise: number;
 }
 
@@ -555,9 +603,9 @@ export interface ReviewItem {
 
 /** Faces that two teeth hold. In ts_get_labels they go to the tooth that is locked, or, where neither or both are, to the one whose nearest seed is nearer to the middle of the face; ts_get_tooth_faces has them for both. */
 export interface Overlap {
-  /** ids of the teeth */
+  /** id of the tooth that they go to */
   winner: number;
-  /** ids of the teeth */
+  /** id of the other one */
   loser: number;
   /** of the model */
   faces: number;
@@ -565,6 +613,7 @@ export interface Overlap {
   area: number;
 }
 
+/** The steps that are kept. */
 export interface HistoryInfo {
   /** steps that can be taken back */
   undo: number;
@@ -574,6 +623,7 @@ export interface HistoryInfo {
   complete: boolean;
   /** about what the steps keep */
   bytes: number;
+  /** how much they may (ts_set_history_limit) */
   limit: number;
 }
 
@@ -625,6 +675,7 @@ export interface Palmer {
 
 /** An edit that is kept. */
 export interface CutEdit {
+  /** which of them */
   kind: EditKind;
   /** TS_OK: it shows in the cut; else why it was dropped when the tooth was last separated again. A dropped edit is tried again the next time */
   status: Status;
@@ -638,15 +689,19 @@ export interface CutEdit {
   to: [number, number, number];
 }
 
+/** How meshes of teeth are made. */
 export interface ToothMeshOptions {
   /** 1: all rims are closed by smooth membranes, those of the scan (holes, open ends) as well. Default 0 */
   closed?: boolean;
 }
 
+/** Counts and measures of a mesh. */
 export interface MeshInfo {
   /** ts_tooth_info::label, 0 of the gingiva */
   label: number;
+  /** number of vertices */
   vertices: number;
+  /** number of triangles */
   triangles: number;
   /** of these, at the end: those that close it */
   fillTriangles: number;
@@ -670,6 +725,7 @@ export interface MeshInfo {
   lost: number;
 }
 
+/** How a segmentation is written. */
 export interface SaveOptions {
   /** 1: the model's faces as they are, each of the tooth that ts_get_labels says. Default 0: split along the cuts */
   wholeFaces?: boolean;
