@@ -267,7 +267,7 @@ uses
   dynlibs,
 {$ELSE}
 {$IFDEF MSWINDOWS}
-  Winapi.Windows,
+  Windows,
 {$ENDIF}
 {$ENDIF}
   SysUtils;

@@ -1248,7 +1248,7 @@ uses
   dynlibs,
 {$ELSE}
 {$IFDEF MSWINDOWS}
-  Winapi.Windows,
+  Windows,
 {$ENDIF}
 {$ENDIF}
   SysUtils;
