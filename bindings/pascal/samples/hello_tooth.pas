@@ -3,20 +3,13 @@
 program hello_tooth;
 
 {$IFDEF FPC}{$MODE DELPHI}{$ENDIF}
-{$APPTYPE CONSOLE}
+{$IFNDEF FPC}{$APPTYPE CONSOLE}{$ENDIF}
 
 uses
   SysUtils, toothseg;
 
-// Point I of a polyline, with a decimal point in every country.
-function Line(const Point: TTsPoint): string;
 var
-  Form: TFormatSettings;
-begin
-  FillChar(Form, SizeOf(Form), 0);
-  Form.DecimalSeparator := '.';
-  Result := Format('%.4f %.4f %.4f', [Point[0], Point[1], Point[2]], Form);
-end;
+  Form: TFormatSettings; // a decimal point in every country
 
 procedure Run;
 var
@@ -37,12 +30,13 @@ begin
     Features := TTsFeatures.Detect(Model);
     Segmentation := TTsSegmentation.Create(Features);
     if ParamCount = 4 then
-      Place := TsPoint(StrToFloat(ParamStr(2)), StrToFloat(ParamStr(3)), StrToFloat(ParamStr(4)))
+      Place := TsPoint(StrToFloat(ParamStr(2), Form), StrToFloat(ParamStr(3), Form),
+        StrToFloat(ParamStr(4), Form))
     else
       Place := Segmentation.ProposeClicks[0];
     Click := Segmentation.ClickInfo(Segmentation.Click(Place));
     for Point in Segmentation.Cut(Click.Target).Points do
-      WriteLn(Line(Point.Position));
+      WriteLn(Format('%.4f %.4f %.4f', [Point.Position[0], Point.Position[1], Point.Position[2]], Form));
   finally
     Segmentation.Free;
     Features.Free;
@@ -57,6 +51,7 @@ begin
     WriteLn(ErrOutput, 'usage: hello_tooth SCAN [X Y Z]');
     Halt(2);
   end;
+  Form.DecimalSeparator := '.';
   try
     Run;
   except

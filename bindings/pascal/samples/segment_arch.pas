@@ -3,7 +3,7 @@
 program segment_arch;
 
 {$IFDEF FPC}{$MODE DELPHI}{$ENDIF}
-{$APPTYPE CONSOLE}
+{$IFNDEF FPC}{$APPTYPE CONSOLE}{$ENDIF}
 
 uses
 {$IFDEF FPC}
@@ -18,10 +18,10 @@ uses
 
 const
   Usage =
-    'usage: segment_arch SCAN [options]' + LineEnding + LineEnding +
-    '  --all            all teeth in one step, not a click for each two' + LineEnding +
-    '  --labels OUT     a number a face, in the order of the faces in SCAN; 0: no tooth' + LineEnding +
-    '  --teeth DIR      the mesh of each tooth, tooth_LABEL.stl, closed' + LineEnding +
+    'usage: segment_arch SCAN [options]' + sLineBreak + sLineBreak +
+    '  --all            all teeth in one step, not a click for each two' + sLineBreak +
+    '  --labels OUT     a number a face, in the order of the faces in SCAN; 0: no tooth' + sLineBreak +
+    '  --teeth DIR      the mesh of each tooth, tooth_LABEL.stl, closed' + sLineBreak +
     '  --threads N      worker threads; 0: one a core (the default)';
   ExitClickFailed = 1;
   ExitNothingWritten = 2;
@@ -33,7 +33,7 @@ type
   TRun = class
   private
     FScan, FLabels, FTeeth: string;
-    FAll: Boolean;
+    FAll, FSaving: Boolean;
     FThreads: Cardinal;
     FShown: Integer;
     FFailed: Integer;
@@ -71,7 +71,7 @@ begin
 end;
 {$ENDIF}
 
-procedure Complain(const Text: string);
+procedure Tell(const Text: string);
 begin
   WriteLn(ErrOutput, 'segment_arch: ', Text);
   Flush(ErrOutput);
@@ -124,17 +124,17 @@ end;
 procedure TRun.Log(Level: TTsLogLevel; const Text: string);
 begin
   if Level = TS_LOG_WARNING then
-    Complain(FScan + ': ' + Text);
+    Tell(FScan + ': ' + Text);
 end;
 
-// A line for each tenth of each call.
+// A line for each tenth of a call; the teeth's own calls are short.
 function TRun.Progress(Fraction: Double; const Stage: string): Boolean;
 var
   Tenth: Integer;
 begin
   Tenth := Trunc(10 * Fraction);
-  if Tenth <> FShown then
-    Complain(Format('%3d %% %s', [10 * Tenth, Stage]));
+  if (Tenth <> FShown) and not FSaving then
+    Tell(Format('%3d %% %s', [10 * Tenth, Stage]));
   FShown := Tenth;
   Result := not Interrupted;
 end;
@@ -153,7 +153,7 @@ begin
       if Status <> TS_OK then
       begin
         Inc(FFailed);
-        Complain(Format('%s: a click: %s', [FScan, TsStatusName(Status)]));
+        Tell(Format('%s: a click: %s', [FScan, TsStatusName(Status)]));
       end;
   until (Length(Places) = 0) or (Length(FSegmentation.Teeth) = Before);
 end;
@@ -181,17 +181,21 @@ procedure TRun.SaveTeeth;
 var
   Options: TTsToothMeshOptions;
   Mesh: TTsMesh;
+  Name: string;
   Tooth: Cardinal;
 begin
   if not ForceDirectories(FTeeth) then
     raise Exception.Create(FTeeth + ': cannot be made');
   Options := TsToothMeshOptions;
   Options.Closed := 1;
+  FSaving := True;
   for Tooth in FSegmentation.Teeth do
   begin
     Mesh := TTsMesh.OfTooth(FSegmentation, Tooth, Options, FJob);
     try
-      Mesh.Save(Format('%s%stooth_%d.stl', [FTeeth, PathDelim, Mesh.Info.Label_]), TS_OUTPUT_STL, FJob);
+      Name := Format('%s%stooth_%d.stl', [FTeeth, PathDelim, Mesh.Info.Label_]);
+      Tell(Name);
+      Mesh.Save(Name, TS_OUTPUT_STL, FJob);
     finally
       Mesh.Free;
     end;
@@ -231,23 +235,23 @@ begin
     except
       on E: EUsage do
       begin
-        Complain(E.Message);
+        Tell(E.Message);
         WriteLn(ErrOutput, Usage);
         ExitCode := ExitNothingWritten;
       end;
       on E: ETsCancelled do
       begin
-        Complain('cancelled');
+        Tell('cancelled');
         ExitCode := ExitInterrupted;
       end;
       on E: ETsError do
       begin
-        Complain(Format('%s: %s', [E.StatusName, E.Message]));
+        Tell(Format('%s: %s', [E.StatusName, E.Message]));
         ExitCode := ExitNothingWritten;
       end;
       on E: Exception do
       begin
-        Complain(E.Message);
+        Tell(E.Message);
         ExitCode := ExitNothingWritten;
       end;
     end;
