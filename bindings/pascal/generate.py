@@ -210,7 +210,8 @@ class Writer:
             unix, windows = s["layout"]["lp64"], s["layout"]["llp64"]
             expect(s["name"], f"SizeOf({s['name']})", unix["size"], windows["size"])
             for f in s["fields"]:
-                expect(f"{s['name']}.{f['name']}", f"NativeUInt(@P{s['name']}(nil)^.{camel(f['name'])})",
+                at = "@@" if f["type"]["kind"] == "callback" else "@"  # one @ is the function that a variable holds
+                expect(f"{s['name']}.{f['name']}", f"NativeUInt({at}P{s['name']}(nil)^.{camel(f['name'])})",
                        unix["offsets"][f["name"]], windows["offsets"][f["name"]])
         for e in self.api["enums"]:
             expect(e["name"], f"SizeOf({e['name']})", 4, 4)
