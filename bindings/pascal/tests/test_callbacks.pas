@@ -217,7 +217,9 @@ begin
   L := TListener.Create;
   L.Main := GetCurrentThreadId;
   Context := TTsContext.Create(4);
+  Check(not IsMultiThread, 'without callbacks a program is as it was');
   Job := TTsJob.Create(Context, L.Count);
+  Check(IsMultiThread, 'with callbacks its heap is ready for threads that are not its own');
   Refusing := TTsJob.Create(Context, L.Refuse);
   Failing := TTsJob.Create(Context, L.Fail);
   Waiting := TTsJob.Create(Context, L.WaitForCancel);
@@ -287,7 +289,6 @@ begin
   L.Free;
 end;
 
-// A mirrored winding is one of the things that the library tells of: see that its log comes through.
 procedure TestLog(const SmallScan: string);
 var
   L: TListener;
@@ -385,8 +386,8 @@ end;
 
 procedure TestCallbacks(const Scan, SmallScan: string);
 begin
+  TestProgress(Scan); // first: before the tests make a thread of their own
   TestControl(SmallScan);
-  TestProgress(Scan);
   TestChange(SmallScan);
   TestLog(SmallScan);
   TestThreads(Scan, SmallScan);
