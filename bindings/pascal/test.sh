@@ -40,7 +40,7 @@ check "they compile" fpc -l- -v0ew -Fu"$work/grown/src" -Fi"$work/grown/tests" -
 check "their layouts" "$work/test_grown"
 
 # The programs.
-check "compile the tests" compile "$here/tests/test_toothseg.pas" test_toothseg
+check "compile the tests" compile "$here/tests/test_toothseg.pas" test_toothseg -Ct -Cr -Co
 check "compile unmasked" compile "$here/tests/unmasked.pas" unmasked
 check "compile hello_tooth" compile "$here/samples/hello_tooth.pas" hello_tooth
 check "compile segment_arch" compile "$here/samples/segment_arch.pas" segment_arch

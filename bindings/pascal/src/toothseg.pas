@@ -14,6 +14,7 @@ unit toothseg;
 {$IFDEF FPC}
 {$MODE DELPHI}
 {$ENDIF}
+{$TYPEDADDRESS OFF}
 
 interface
 
@@ -516,7 +517,8 @@ end;
 
 // --------------------------------------------------------------------------------------------------------------- hooks
 
-function Swap(var Place: Pointer; New, Expected: Pointer): Pointer;
+// Puts New where Expected is; gives what was there.
+function Exchange(var Place: Pointer; New, Expected: Pointer): Pointer;
 begin
   {$IFDEF FPC}
   Result := InterlockedCompareExchange(Place, New, Expected);
@@ -539,7 +541,7 @@ begin
     FOnLog(Level, FromUtf8(Text));
   except
     Raised := TObject(AcquireExceptionObject);
-    if Swap(FRaised, Raised, nil) <> nil then
+    if Exchange(FRaised, Raised, nil) <> nil then
       Raised.Free; // the first one is told
   end;
 end;
@@ -565,12 +567,17 @@ end;
 function THooks.TakeRaised: TObject;
 begin
   Result := FRaised;
-  if (Result <> nil) and (Swap(FRaised, nil, Result) <> Pointer(Result)) then
+  if (Result <> nil) and (Exchange(FRaised, nil, Result) <> Pointer(Result)) then
     Result := nil; // another call has it
 end;
 
 // The functions that the library calls. In each the first thing is to note the floating-point control, before anything
-// that touches a threadvar: on a thread that is not of Pascal's making that sets it. No variables that need finalization.
+// that touches a threadvar: on a thread that is not of Pascal's making that sets it. So no variables that need
+// finalization, and no stack checks.
+{$IFDEF FPC}
+{$PUSH}
+{$S-}
+{$ENDIF}
 
 procedure CallLog(Level: ts_log_level; Text: PAnsiChar; User: Pointer); cdecl;
 var
@@ -621,6 +628,9 @@ begin
   TTsSegmentation(User).Told(Teeth, Count);
   TsLoadFpu(Fpu);
 end;
+{$IFDEF FPC}
+{$POP}
+{$ENDIF}
 
 {$IFDEF FPC}
 function Nothing(Parameter: Pointer): PtrInt;

@@ -8,6 +8,7 @@ unit toothseg_fpu;
 
 {$IFDEF FPC}
 {$MODE DELPHI}
+{$S-} // a stack check uses a threadvar, which on a thread of C++ sets the very thing that is read here
 {$IFDEF CPUX86_64}
 {$DEFINE TS_CONTROL_WORDS}
 {$ASMMODE INTEL}
