@@ -152,14 +152,17 @@ class Writer:
             yield f"  P{h['name']} = ^{h['name']};"
             yield f"  PP{h['name']} = ^P{h['name']};"
 
-    def arrays(self):
-        lengths = {}
-        for t in self.types():
-            if t.get("length"):
-                lengths[self.pascal(t)] = (t["length"], self.pascal({**t, "length": 0}))
-        for name, (length, element) in sorted(lengths.items()):
-            yield f"  {name} = array [0 .. {length - 1}] of {element};"
+    def arrays(self, wanted):
+        """Arrays of fixed length, a type each; of elements that are declared by then."""
+        lengths = {self.pascal(t): t for t in self.types() if t.get("length") and wanted(t)}
+        for name, t in sorted(lengths.items()):
+            yield f"  {name} = array [0 .. {t['length'] - 1}] of {self.pascal({**t, 'length': 0})};"
             yield f"  P{name} = ^{name};"
+
+    def pointers(self):
+        """Ahead of the structs, which callbacks may be told of."""
+        for s in self.api["structs"]:
+            yield f"  P{s['name']} = ^{s['name']};"
 
     def structs(self):
         for s in self.api["structs"]:
@@ -170,13 +173,14 @@ class Writer:
             for f in s["fields"]:
                 yield from described(f"    {camel(f['name'])}: {self.pascal(f['type'])};", f["doc"])
             yield "  end;"
-            yield f"  P{s['name']} = ^{s['name']};"
+            yield from self.arrays(lambda t, name=s["name"]: t["base"] == name)
 
     def callbacks(self):
         for c in self.api["callbacks"]:
             yield ""
             yield from comment(c["doc"], "  ")
             yield f"  {c['name']} = {self.signature(c)}; cdecl;"
+            yield from self.arrays(lambda t, name=c["name"]: t["base"] == name)
 
     def functions(self, dynamic):
         for f in self.api["functions"]:
@@ -189,7 +193,8 @@ class Writer:
 
     def unit(self):
         out = [HEAD % self.api["version"]]
-        out += [*self.consts(), "", "type", *list(self.enums())[1:], *self.handles(), "", *self.arrays(), *self.callbacks(),
+        out += [*self.consts(), "", "type", *list(self.enums())[1:], *self.handles(), "",
+                *self.arrays(lambda t: t["kind"] not in ("struct", "callback")), "", *self.pointers(), *self.callbacks(),
                 *self.structs(), "", "{$IFDEF TOOTHSEG_DYNAMIC}", LOADER_INTERFACE, "var", *self.functions(True), "{$ELSE}",
                 *self.functions(False), "{$ENDIF}", "", "implementation", "", "{$IFDEF TOOTHSEG_DYNAMIC}", LOADER,
                 "procedure ts_load(const Path: string);", "begin", "  OpenLibrary(Path);"]

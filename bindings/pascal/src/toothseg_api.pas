@@ -254,6 +254,37 @@ type
   ts_double3 = array [0 .. 2] of Double;
   Pts_double3 = ^ts_double3;
 
+  Pts_context_options = ^ts_context_options;
+  Pts_mesh_input = ^ts_mesh_input;
+  Pts_intake_options = ^ts_intake_options;
+  Pts_intake_report = ^ts_intake_report;
+  Pts_surface_point = ^ts_surface_point;
+  Pts_feature_options = ^ts_feature_options;
+  Pts_features_info = ^ts_features_info;
+  Pts_feature_point = ^ts_feature_point;
+  Pts_feature_group = ^ts_feature_group;
+  Pts_segment_options = ^ts_segment_options;
+  Pts_click_times = ^ts_click_times;
+  Pts_click_info = ^ts_click_info;
+  Pts_contour_info = ^ts_contour_info;
+  Pts_edge_point = ^ts_edge_point;
+  Pts_tooth_info = ^ts_tooth_info;
+  Pts_cut_info = ^ts_cut_info;
+  Pts_prepare_times = ^ts_prepare_times;
+  Pts_memory_info = ^ts_memory_info;
+  Pts_review_item = ^ts_review_item;
+  Pts_overlap = ^ts_overlap;
+  Pts_history_info = ^ts_history_info;
+  Pts_number_options = ^ts_number_options;
+  Pts_number_info = ^ts_number_info;
+  Pts_jaw_info = ^ts_jaw_info;
+  Pts_palmer = ^ts_palmer;
+  Pts_cut_edit = ^ts_cut_edit;
+  Pts_tooth_mesh_options = ^ts_tooth_mesh_options;
+  Pts_mesh_info = ^ts_mesh_info;
+  Pts_save_options = ^ts_save_options;
+  Pts_tooth_frame = ^ts_tooth_frame;
+
   // Allocator hook. `alloc` returns memory aligned to 16 bytes, or NULL when there is none. Both may be called from
   // any thread that works for the context. The large buffers of the library come from here; Eigen, OpenMesh and
   // oneTBB keep their own.
@@ -283,7 +314,6 @@ type
     Log: ts_log_fn; // NULL = silent
     LogUser: Pointer;
   end;
-  Pts_context_options = ^ts_context_options;
 
   // The caller's mesh, read only during ts_model_create.
   ts_mesh_input = record
@@ -295,14 +325,12 @@ type
     Triangles: PCardinal; // 3 indices a face; NULL = soup: vertices 3i, 3i+1, 3i+2 are face i
     TriangleCount: Cardinal; // number of faces; for a soup vertex_count / 3 or 0
   end;
-  Pts_mesh_input = ^ts_mesh_input;
 
   ts_intake_options = record
     StructSize: Cardinal;
     Unit_: ts_unit; // default TS_UNIT_CHECKED_MM
     WeldTolerance: Double; // vertices closer than this become one, mm. Default 0: only exactly equal ones
   end;
-  Pts_intake_options = ^ts_intake_options;
 
   // What intake found and repaired. Counts of the caller's elements unless said otherwise.
   ts_intake_report = record
@@ -326,7 +354,6 @@ type
     Area: Double; // mm^2
     MeanEdge: Double; // mm
   end;
-  Pts_intake_report = ^ts_intake_report;
 
   // A point on the surface: a model face and the weights of its three corners (sum 1).
   ts_surface_point = record
@@ -336,7 +363,6 @@ type
     Position: ts_double3; // mm
     Distance: Double; // from the query position, or along the ray from its origin, mm
   end;
-  Pts_surface_point = ^ts_surface_point;
 
   ts_feature_options = record
     StructSize: Cardinal;
@@ -344,7 +370,6 @@ type
     Occlusal: ts_double3; // a direction to use instead of the estimated one; 0,0,0 = estimate (default)
     Radius: Double; // r of the convexity measure, mm. Default 2.0: about half a cusp's width
   end;
-  Pts_feature_options = ^ts_feature_options;
 
   ts_features_info = record
     StructSize: Cardinal;
@@ -359,7 +384,6 @@ type
     Coverage: Double; // share of the roughness within 14 mm of the arch curve: .9 and more on scans of one jaw
     ArchLength: Double; // of the arch curve, mm: up to 180 on scans of one jaw
   end;
-  Pts_features_info = ^ts_features_info;
 
   ts_feature_point = record
     Id: Cardinal; // stays the same while the point exists
@@ -369,7 +393,6 @@ type
     Position: ts_double3; // mm
     Convexity: Double; // dimensionless: 0 on a plane, 0.25 to 0.4 on a cusp; 0 for a point set by hand
   end;
-  Pts_feature_point = ^ts_feature_point;
 
   ts_feature_group = record
     Id: Cardinal; // stays the same while the group exists
@@ -381,7 +404,6 @@ type
     ArchTo: Double;
     Confidence: Double; // 0 to 1: how sure the detection is that this is one tooth; 1 if made by hand
   end;
-  Pts_feature_group = ^ts_feature_group;
 
   // Defaults are given as: default preset / paper preset.
   ts_segment_options = record
@@ -414,7 +436,6 @@ type
     // bytes. 0 / 0
     MemoryLimit: UInt64;
   end;
-  Pts_segment_options = ^ts_segment_options;
 
   // Milliseconds a stage took (paper, Fig. 11). With the default preset the field is solved where the cut looks at
   // it: then `field` is the share of that in `cut` and `label`, and not added to `total` again.
@@ -425,7 +446,6 @@ type
     Label_: Double; // faces, refinement, labels
     Total: Double;
   end;
-  Pts_click_times = ^ts_click_times;
 
   ts_click_info = record
     StructSize: Cardinal;
@@ -441,7 +461,6 @@ type
     NeighbourIso: Double; // NaN if there is no neighbour
     Ms: ts_click_times;
   end;
-  Pts_click_info = ^ts_click_info;
 
   // One iso-value's contour of a click's field (Fig. 4A).
   ts_contour_info = record
@@ -453,7 +472,6 @@ type
     Polylines: Cardinal;
     Chosen: Cardinal; // 1 = cut of the target, 2 = of the neighbour, 0 = neither
   end;
-  Pts_contour_info = ^ts_contour_info;
 
   // A point of a contour or cut: on the edge from model vertex `a` to `b`, at (1 - t) a + t b.
   ts_edge_point = record
@@ -462,7 +480,6 @@ type
     T: Double;
     Position: ts_double3; // mm
   end;
-  Pts_edge_point = ^ts_edge_point;
 
   // A separated tooth. Its id is the id of its feature group, or of the group that a click made (ts_segment_click).
   ts_tooth_info = record
@@ -482,7 +499,6 @@ type
     Confidence: Double; // 0 to 1
     Warnings: Cardinal; // sum of ts_tooth_warning
   end;
-  Pts_tooth_info = ^ts_tooth_info;
 
   ts_cut_info = record
     StructSize: Cardinal;
@@ -493,7 +509,6 @@ type
     Gradient: Double; // mean of |grad u| along it, 1/mm
     Concavity: Double; // share of it in concave valleys, 0 to 1
   end;
-  Pts_cut_info = ^ts_cut_info;
 
   // Milliseconds of the preparation.
   ts_prepare_times = record
@@ -504,7 +519,6 @@ type
     Weights: Double; // curvature, concavity, weights
     Factorise: Double;
   end;
-  Pts_prepare_times = ^ts_prepare_times;
 
   // Bytes that are kept. Most of them come from the context's allocator.
   ts_memory_info = record
@@ -516,7 +530,6 @@ type
     FactorWhole: UInt64; // of the factor if all of it were
     Click: UInt64; // of the work space of one tooth; as many are kept as teeth were cut at the same time
   end;
-  Pts_memory_info = ^ts_memory_info;
 
   // A tooth that wants a look.
   ts_review_item = record
@@ -527,7 +540,6 @@ type
     Confidence: Double; // of the tooth, 0 to 1; 0 where it is not separated
     GroupConfidence: Double; // that the group is exactly one tooth; 1 for groups made by hand
   end;
-  Pts_review_item = ^ts_review_item;
 
   // Faces that two teeth hold. In ts_get_labels they go to the tooth that is locked, or, where neither or both are,
   // to the one whose nearest seed is nearer to the middle of the face; ts_get_tooth_faces has them for both.
@@ -538,7 +550,6 @@ type
     Reserved: Cardinal;
     Area: Double; // mm^2
   end;
-  Pts_overlap = ^ts_overlap;
 
   ts_history_info = record
     StructSize: Cardinal;
@@ -548,7 +559,6 @@ type
     Bytes: UInt64; // about what the steps keep
     Limit: UInt64;
   end;
-  Pts_history_info = ^ts_history_info;
 
   // How numbers are told.
   ts_number_options = record
@@ -560,7 +570,6 @@ type
     Reserved: Cardinal;
     LeastConfidence: Double; // 0 to 1: a number or a jaw under it is uncertain. Default 0.9
   end;
-  Pts_number_options = ^ts_number_options;
 
   // The number of a tooth.
   ts_number_info = record
@@ -570,7 +579,6 @@ type
     Uncertain: Cardinal; // 1: confidence under least_confidence: to be shown to a person before it is used
     Confidence: Double; // probability of this number, the jaw's included, under the model; 1 if set by hand
   end;
-  Pts_number_info = ^ts_number_info;
 
   // The jaw that the numbers are of.
   ts_jaw_info = record
@@ -580,7 +588,6 @@ type
     Uncertain: Cardinal; // 1: confidence under least_confidence
     Confidence: Double; // .5 where nothing tells; 1 if given
   end;
-  Pts_jaw_info = ^ts_jaw_info;
 
   // A number as Palmer's notation has it.
   ts_palmer = record
@@ -590,7 +597,6 @@ type
     Letters: ts_char4; // "UR6"
     Symbol: ts_char8; // UTF-8: the position in the angle of its quadrant, as on a chart that faces the patient
   end;
-  Pts_palmer = ^ts_palmer;
 
   // An edit that is kept.
   ts_cut_edit = record
@@ -604,14 +610,12 @@ type
     From: ts_double3; // of a drag where the cut was taken, of a stroke its first point, mm
     To_: ts_double3; // of a drag where it was taken to, of a stroke its last point, mm
   end;
-  Pts_cut_edit = ^ts_cut_edit;
 
   ts_tooth_mesh_options = record
     StructSize: Cardinal;
     // 1: all rims are closed by smooth membranes, those of the scan (holes, open ends) as well. Default 0
     Closed: Cardinal;
   end;
-  Pts_tooth_mesh_options = ^ts_tooth_mesh_options;
 
   ts_mesh_info = record
     StructSize: Cardinal;
@@ -631,14 +635,12 @@ type
     Volume: Double; // mm^3; 0 while a rim is open
     Lost: Double; // of a tooth: what its cuts enclose and another tooth or the gingiva has, mm^2
   end;
-  Pts_mesh_info = ^ts_mesh_info;
 
   ts_save_options = record
     StructSize: Cardinal;
     // 1: the model's faces as they are, each of the tooth that ts_get_labels says. Default 0: split along the cuts
     WholeFaces: Cardinal;
   end;
-  Pts_save_options = ^ts_save_options;
 
   // Which way a tooth looks, and its extent that way over the faces of ts_get_tooth_faces.
   ts_tooth_frame = record
@@ -656,7 +658,6 @@ type
     Depth: Double; // buccal-lingual extent, mm
     Height: Double; // occlusal-gingival extent of what the scan shows of the crown, mm
   end;
-  Pts_tooth_frame = ^ts_tooth_frame;
 
 {$IFDEF TOOTHSEG_DYNAMIC}
 

@@ -21,7 +21,8 @@ api["enums"].append({"name": "ts_most", "doc": "Collides.", "values": [
 api["handles"].append({"name": "ts_plan", "doc": "", "destroy": "ts_plan_destroy"})
 api["callbacks"].append({"name": "ts_plan_fn", "doc": "", "returns": scalar("double"), "arguments": [
     {"name": "type", "type": scalar("uint64_t")}, {"name": "user", "type": {"base": "void", "kind": "void", "pointer": 1,
-                                                                           "spelling": "void *"}}]})
+                                                                           "spelling": "void *"}},
+    {"name": "info", "type": {"base": "ts_plan_info", "kind": "struct", "pointer": 1, "spelling": "ts_plan_info *"}}]})
 api["structs"].append({"name": "ts_plan_info", "doc": "", "versioned": True, "fields": [
     {"name": "struct_size", "type": scalar("uint32_t"), "doc": ""},
     {"name": "begin", "type": {"base": "ts_most", "kind": "enum", "spelling": "ts_most"}, "doc": "first"},
@@ -29,6 +30,10 @@ api["structs"].append({"name": "ts_plan_info", "doc": "", "versioned": True, "fi
     {"name": "end", "type": scalar("float", length=5), "doc": "last"},
     {"name": "next", "type": {"base": "ts_plan_fn", "kind": "callback", "spelling": "ts_plan_fn"}, "doc": ""}],
     "layout": {"lp64": layout, "llp64": layout, "wasm32": layout}})
+pair = {"size": 96, "align": 8, "offsets": {"both": 0}}
+api["structs"].append({"name": "ts_plan_pair", "doc": "", "versioned": False, "fields": [
+    {"name": "both", "type": {"base": "ts_plan_info", "kind": "struct", "length": 2, "spelling": "ts_plan_info[2]"}, "doc": ""}],
+    "layout": {"lp64": pair, "llp64": pair, "wasm32": pair}})
 plan = {"base": "ts_plan", "kind": "handle", "spelling": "ts_plan *", "pointer": 1}
 api["functions"].append({"name": "ts_plan_create", "doc": "", "since": "0.2.0", "threads": "any", "arguments": [
     {"name": "var", "direction": "in", "type": scalar("int64_t", pointer=1)},
