@@ -68,6 +68,16 @@ TOOTHSEG_LIBRARY=$lib/libtoothseg.so "$work/hello_dynamic" "$work/arch.ply" >"$w
 check "gives the same" cmp "$work/cut.txt" "$work/dynamic.txt"
 TOOTHSEG_LIBRARY=$work/none.so check "no library is a complaint" fails "$work/hello_dynamic" "$work/arch.ply"
 
+# Strings of UTF-16, as Delphi's are.
+utf16() {
+  mkdir -p "$work/utf16/src" && cp "$here"/src/*.pas "$work/utf16/src" && cp "$here/samples/hello_tooth.pas" "$work/utf16" &&
+    sed -i 's/{\$MODE DELPHI}/{$MODE DELPHIUNICODE}/' "$work"/utf16/*.pas "$work"/utf16/src/*.pas &&
+    fpc -l- -v0e -dUNICODE -Fu"$work/utf16/src" -FE"$work/utf16" -Fl"$lib" -k"-rpath=$lib" "$work/utf16/hello_tooth.pas" &&
+    "$work/utf16/hello_tooth" "$work/arch.ply" >"$work/utf16/cut.txt" &&
+    cmp "$work/cut.txt" "$work/utf16/cut.txt"
+}
+check "strings of UTF-16" utf16
+
 # Ctrl-C: as soon as there is progress.
 interrupt() {
   "$work/segment_arch" "$work/large.ply" --all --labels "$work/interrupted.txt" 2>"$work/progress" &
