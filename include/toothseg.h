@@ -25,6 +25,8 @@
  *                calls at once. ts_job_cancel and ts_job_progress may be called at any time from any thread.
  *   Hooks        A context's hooks and their `user` pointers must live as long as anything made from it; a job's as
  *                long as the job.
+ *   Floats       Called with the floating-point environment that C starts with: rounding to nearest, exceptions masked. Who
+ *                unmasks them (Pascal does) masks them around calls.
  *   Lifetime     A child keeps its parents alive (a segmentation its features and model, a model its context): handles
  *                may be destroyed in any order.
  *   Options      Structs that begin with struct_size are filled by their ..._init function, called with sizeof the

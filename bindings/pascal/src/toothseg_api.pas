@@ -100,7 +100,7 @@ const
   TS_WARN_FLAT_TOP = 256; // its top is one plane: a scan body or a post, not a crown
   TS_WARN_MADE_BY_CLICK = 512; // no feature group lies on it: the click alone says that it is a tooth
 
-  // ts_mesh_vertex_flag: What a vertex is. Values are fixed;
+  // ts_mesh_vertex_flag: What a vertex is.
   TS_VERTEX_ON_CUT = 1; // shared with another part
   TS_VERTEX_ON_RIM = 2; // on a rim of the scan
   TS_VERTEX_OF_FILL = 4; // made to close the mesh
@@ -109,42 +109,46 @@ type
   ts_status = Integer;
   Pts_status = ^ts_status;
 
+  // How much a line of the log matters.
   ts_log_level = (
-    TS_LOG_ERROR = 0,
-    TS_LOG_WARNING = 1,
-    TS_LOG_INFO = 2
+    TS_LOG_ERROR = 0, // not used so far: a call that fails says so in its status
+    TS_LOG_WARNING = 1, // the call did its work, and something about it is odd
+    TS_LOG_INFO = 2 // what was found and how long it took
   );
   Pts_log_level = ^ts_log_level;
 
+  // Type of the caller's coordinates.
   ts_scalar = (
-    TS_FLOAT32 = 0,
-    TS_FLOAT64 = 1
+    TS_FLOAT32 = 0, // float
+    TS_FLOAT64 = 1 // double
   );
   Pts_scalar = ^ts_scalar;
 
   // Unit of the caller's coordinates. TS_UNIT_CHECKED_MM: mm, and TS_E_MESH_UNITS if the size of the mesh contradicts
   // it (bounding box diagonal under 9 or over 400); the others convert without a check.
   ts_unit = (
-    TS_UNIT_CHECKED_MM = 0,
-    TS_UNIT_MM = 1,
-    TS_UNIT_CM = 2,
-    TS_UNIT_M = 3,
-    TS_UNIT_INCH = 4
+    TS_UNIT_CHECKED_MM = 0, // mm, checked
+    TS_UNIT_MM = 1, // mm, whatever the size
+    TS_UNIT_CM = 2, // 10 mm
+    TS_UNIT_M = 3, // 1000 mm
+    TS_UNIT_INCH = 4 // 25.4 mm
   );
   Pts_unit = ^ts_unit;
 
+  // Formats that are read.
   ts_file_format = (
     TS_FORMAT_AUTO = 0, // told from the content, not from the name
-    TS_FORMAT_STL = 1,
-    TS_FORMAT_PLY = 2,
-    TS_FORMAT_OBJ = 3,
-    TS_FORMAT_OFF = 4
+    TS_FORMAT_STL = 1, // binary or ASCII
+    TS_FORMAT_PLY = 2, // ASCII, or binary of either byte order
+    TS_FORMAT_OBJ = 3, // `v` and `f` lines; the rest is passed over
+    TS_FORMAT_OFF = 4 // ASCII; [ST][C][N]OFF
   );
   Pts_file_format = ^ts_file_format;
 
   ts_features_warning = Integer;
   Pts_features_warning = ^ts_features_warning;
 
+  // What options are initialised to.
   ts_preset = (
     TS_PRESET_DEFAULT = 0, // the best we know: docs/method.md
     TS_PRESET_PAPER = 1 // the paper to the letter
@@ -184,24 +188,25 @@ type
 
   // The jaw of a scan.
   ts_jaw = (
-    TS_JAW_UNKNOWN = 0,
-    TS_JAW_UPPER = 1,
-    TS_JAW_LOWER = 2
+    TS_JAW_UNKNOWN = 0, // not known
+    TS_JAW_UPPER = 1, // maxilla
+    TS_JAW_LOWER = 2 // mandible
   );
   Pts_jaw = ^ts_jaw;
 
+  // What an edit did.
   ts_edit_kind = (
-    TS_EDIT_DRAG = 1,
-    TS_EDIT_DRAW = 2,
-    TS_EDIT_OFFSET = 3,
-    TS_EDIT_SMOOTH = 4
+    TS_EDIT_DRAG = 1, // ts_cut_drag
+    TS_EDIT_DRAW = 2, // ts_cut_draw
+    TS_EDIT_OFFSET = 3, // ts_cut_offset
+    TS_EDIT_SMOOTH = 4 // ts_cut_smooth
   );
   Pts_edit_kind = ^ts_edit_kind;
 
   ts_mesh_vertex_flag = Integer;
   Pts_mesh_vertex_flag = ^ts_mesh_vertex_flag;
 
-  // Formats that are written. Values are fixed;
+  // Formats that are written.
   ts_output_format = (
     TS_OUTPUT_STL = 0, // binary; floats
     TS_OUTPUT_PLY = 1, // binary; floats; red, green, blue (uchar) and label (int) a triangle
@@ -242,7 +247,7 @@ type
   // same, it is that of the tooth with the nearest constraint point (ts_get_tooth_seeds), as ts_get_labels has it for
   // whole faces: the teeth meet where these are equally far, and ts_mesh_info::lost says how much that took off. The
   // meshes of all teeth and of the gingiva, open, add up to the model, and vertices on cuts have the same coordinates
-  // in both meshes, bit for bit. They belong to the teeth separated when they are made. Never changes once made;
+  // in both meshes, bit for bit. They belong to the teeth separated when they are made. Never changes once made.
   ts_mesh = record end;
   Pts_mesh = ^ts_mesh;
   PPts_mesh = ^Pts_mesh;
@@ -286,10 +291,11 @@ type
   Pts_tooth_frame = ^ts_tooth_frame;
 
   // Allocator hook. `alloc` returns memory aligned to 16 bytes, or NULL when there is none. Both may be called from
-  // any thread that works for the context. The large buffers of the library come from here; Eigen, OpenMesh and
-  // oneTBB keep their own.
+  // any thread that works for the context. The large buffers of the library come from here; Eigen and oneTBB keep
+  // their own.
   ts_alloc_fn = function(bytes: NativeUInt; user: Pointer): Pointer; cdecl;
 
+  // Gives back what `alloc` of the same hook gave; `memory` is never NULL.
   ts_free_fn = procedure(memory: Pointer; user: Pointer); cdecl;
 
   // Log hook: one line without newline, valid during the call only; may come from any thread that works for the
@@ -297,44 +303,48 @@ type
   ts_log_fn = procedure(level: ts_log_level; text: PAnsiChar; user: Pointer); cdecl;
 
   // Called during a long call, from a thread that works for it, one call at a time: `fraction` in [0, 1], never
-  // falling within one call; `stage` a short English name. Return 0 to go on, anything else to cancel. Must not call
-  // the library.
+  // falling within one call; `stage` a short English name. Return 0 to go on, anything else to cancel: sticky, as
+  // ts_job_cancel is. Must not call the library.
   ts_progress_fn = function(fraction: Double; stage: PAnsiChar; user: Pointer): Integer; cdecl;
 
   // Called on the thread of the call that changed something, after the change, with what ts_get_changes tells;
-  // `teeth` lives as long as the callback. It may read the segmentation, and must not change or destroy it.
+  // `teeth` lives as long as the callback. It may read the segmentation and must not destroy it; calls that would
+  // change it are refused (TS_E_INVALID_ARGUMENT).
   ts_change_fn = procedure(user: Pointer; teeth: PCardinal; count: Cardinal); cdecl;
 
+  // Hooks and threads of a context.
   ts_context_options = record
     StructSize: Cardinal; // set by ts_context_options_init
     Threads: Cardinal; // worker threads: 0 = one a core, 1 = only the calling thread, at most 1024. Default 0
     Alloc: ts_alloc_fn; // NULL = the system's; give both or none
-    Free: ts_free_fn;
-    AllocUser: Pointer;
+    Free: ts_free_fn; // NULL if `alloc` is
+    AllocUser: Pointer; // given to both as `user`
     Log: ts_log_fn; // NULL = silent
-    LogUser: Pointer;
+    LogUser: Pointer; // given to it as `user`
   end;
 
   // The caller's mesh, read only during ts_model_create.
   ts_mesh_input = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // set by ts_mesh_input_init
     Scalar: ts_scalar; // type of the coordinates
     Positions: Pointer; // x, y, z of vertex i at byte i * stride
     VertexCount: Cardinal; // number of vertices
     Stride: Cardinal; // bytes from one vertex to the next; 0 = packed (12 or 24)
     Triangles: PCardinal; // 3 indices a face; NULL = soup: vertices 3i, 3i+1, 3i+2 are face i
     TriangleCount: Cardinal; // number of faces; for a soup vertex_count / 3 or 0
+    Reserved: Cardinal; // 0
   end;
 
+  // How a mesh is taken in.
   ts_intake_options = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // set by ts_intake_options_init
     Unit_: ts_unit; // default TS_UNIT_CHECKED_MM
     WeldTolerance: Double; // vertices closer than this become one, mm. Default 0: only exactly equal ones
   end;
 
   // What intake found and repaired. Counts of the caller's elements unless said otherwise.
   ts_intake_report = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
     InputVertices: Cardinal; // as given (a soup: 3 a face)
     InputFaces: Cardinal; // as given; polygons count once
     Polygons: Cardinal; // input faces with more than 3 corners, triangulated
@@ -357,27 +367,29 @@ type
 
   // A point on the surface: a model face and the weights of its three corners (sum 1).
   ts_surface_point = record
-    Face: Cardinal;
+    Face: Cardinal; // of the model
     NearestVertex: Cardinal; // the corner with the largest weight
-    Barycentric: ts_double3;
+    Barycentric: ts_double3; // weights of its corners, in their order
     Position: ts_double3; // mm
     Distance: Double; // from the query position, or along the ray from its origin, mm
   end;
 
+  // How features are found.
   ts_feature_options = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // set by ts_feature_options_init
     MaxPoints: Cardinal; // most points a tooth. Default 8
     Occlusal: ts_double3; // a direction to use instead of the estimated one; 0,0,0 = estimate (default)
     Radius: Double; // r of the convexity measure, mm. Default 2.0: about half a cusp's width
   end;
 
+  // Counts of a set of features, and what the detection saw of the scan.
   ts_features_info = record
-    StructSize: Cardinal;
-    Groups: Cardinal;
-    Points: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
+    Groups: Cardinal; // number of groups
+    Points: Cardinal; // number of points in all of them
     InsideOut: Cardinal; // 1 if the detection found that the faces look inwards; everything works all the same
     Warnings: Cardinal; // sum of ts_features_warning
-    Reserved: Cardinal;
+    Reserved: Cardinal; // 0
     // roughness that faces against the occlusal direction over that which faces with it: under .05 on most scans of
     // one jaw, at most .33; .5 to 1 for two jaws in occlusion
     Opposed: Double;
@@ -385,6 +397,7 @@ type
     ArchLength: Double; // of the arch curve, mm: up to 180 on scans of one jaw
   end;
 
+  // A feature point: where a tooth is held.
   ts_feature_point = record
     Id: Cardinal; // stays the same while the point exists
     Group: Cardinal; // id of its group
@@ -394,20 +407,21 @@ type
     Convexity: Double; // dimensionless: 0 on a plane, 0.25 to 0.4 on a cusp; 0 for a point set by hand
   end;
 
+  // The feature points of a tooth.
   ts_feature_group = record
     Id: Cardinal; // stays the same while the group exists
     Points: Cardinal; // number of points
     Previous: Cardinal; // id of the neighbour group along the arch, TS_NONE at an end
     Next: Cardinal; // the other one
     Centre: ts_double3; // mean of its points, mm
-    ArchFrom: Double; // where its tooth begins and ends along the arch curve, mm; 0, 0 if made by hand
-    ArchTo: Double;
+    ArchFrom: Double; // where its tooth begins along the arch curve, mm; 0 if made by hand
+    ArchTo: Double; // where it ends, mm; 0 if made by hand
     Confidence: Double; // 0 to 1: how sure the detection is that this is one tooth; 1 if made by hand
   end;
 
   // Defaults are given as: default preset / paper preset.
   ts_segment_options = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // set by ts_segment_options_init
     Preset: ts_preset; // what the options were initialised to; informative
     Weights: ts_weights; // CONCAVITY / PAPER
     Background: ts_background; // ALL / NEIGHBOUR
@@ -423,8 +437,8 @@ type
     NormalRadius: Double; // r of the smoothed normals, mm. 0.15
     SeedRadius: Double; // a constraint point is a disc of this radius, mm; 0 = one vertex. 0.7 / 0
     GingivaDistance: Double; // from every feature point, mm, at which gingiva begins for certain. 13
-    AreaMin: Double; // a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330
-    AreaMax: Double; // a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330
+    AreaMin: Double; // least area of a tooth, mm^2, for COMPONENT and for warnings. 25 / 25
+    AreaMax: Double; // largest area of a tooth, mm^2. 330 / 330
     HoleArea: Double; // holes in a tooth's region up to this are filled, mm^2. 40 / 0
     RefineBand: Double; // half width of the band of the min-cut refinement, mm; 0 = none. 2.5 / 0
     SmoothRadius: Double; // smoothing of the final line, mm; 0 = none. 0.2 / 0
@@ -444,11 +458,12 @@ type
     Field: Double; // solve; of the slower of the two teeth where they are worked out at the same time
     Cut: Double; // contours and selection
     Label_: Double; // faces, refinement, labels
-    Total: Double;
+    Total: Double; // of the call, but for its entry in the history
   end;
 
+  // What came of a click.
   ts_click_info = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
     Target: Cardinal; // tooth clicked: id of its group
     // tooth beside it; TS_NONE if there is but one. Where no cut was found for it, ts_get_tooth says TS_E_NOT_FOUND:
     // the tooth clicked stands alone
@@ -459,32 +474,32 @@ type
     VMed: Double; // centre of the fullest bin (Fig. 4C)
     TargetIso: Double; // chosen iso-values
     NeighbourIso: Double; // NaN if there is no neighbour
-    Ms: ts_click_times;
+    Ms: ts_click_times; // how long it took
   end;
 
   // One iso-value's contour of a click's field (Fig. 4A).
   ts_contour_info = record
-    Iso: Double;
+    Iso: Double; // the value
     Gradient: Double; // mean of |grad u| along it, 1/mm
     Concavity: Double; // share of it in concave valleys, 0 to 1
     Length: Double; // mm
     Points: Cardinal; // in all its polylines
-    Polylines: Cardinal;
+    Polylines: Cardinal; // number of these
     Chosen: Cardinal; // 1 = cut of the target, 2 = of the neighbour, 0 = neither
   end;
 
   // A point of a contour or cut: on the edge from model vertex `a` to `b`, at (1 - t) a + t b.
   ts_edge_point = record
-    A: Cardinal;
-    B: Cardinal;
-    T: Double;
+    A: Cardinal; // model vertex
+    B: Cardinal; // model vertex
+    T: Double; // 0 at a, 1 at b
     Position: ts_double3; // mm
   end;
 
   // A separated tooth. Its id is the id of its feature group, or of the group that a click made (ts_segment_click).
   ts_tooth_info = record
-    StructSize: Cardinal;
-    Id: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
+    Id: Cardinal; // of the tooth
     // what ts_get_labels writes: place of its feature group along the arch counted from 1; of the n-th group made by
     // a click the number of feature groups + n; not an FDI number
     Label_: Cardinal;
@@ -498,11 +513,13 @@ type
     Gradient: Double; // mean of |grad u| along it, 1/mm
     Confidence: Double; // 0 to 1
     Warnings: Cardinal; // sum of ts_tooth_warning
+    Reserved: Cardinal; // 0
   end;
 
+  // A loop of a cut.
   ts_cut_info = record
-    StructSize: Cardinal;
-    Points: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
+    Points: Cardinal; // number of these
     Closed: Cardinal; // 1: the last point is joined to the first
     Length: Double; // mm
     Iso: Double; // iso-value it was chosen at
@@ -512,18 +529,18 @@ type
 
   // Milliseconds of the preparation.
   ts_prepare_times = record
-    StructSize: Cardinal;
-    Reserved: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
+    Reserved: Cardinal; // 0
     Intake: Double; // of the model
     Features: Double; // of the detection; 0 if set by hand
     Weights: Double; // curvature, concavity, weights
-    Factorise: Double;
+    Factorise: Double; // constraints, ordering, factorisation
   end;
 
   // Bytes that are kept. Most of them come from the context's allocator.
   ts_memory_info = record
-    StructSize: Cardinal;
-    Reserved: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
+    Reserved: Cardinal; // 0
     Model: UInt64; // of the model, which segmentations share
     Segmentation: UInt64; // of what a segmentation keeps beside it, the factor included: what memory_limit bounds
     Factor: UInt64; // of the factor, as far as it is kept
@@ -536,7 +553,7 @@ type
     Tooth: Cardinal; // id of its group
     Separated: Cardinal; // 0: no cut has been made for this group so far
     Warnings: Cardinal; // sum of ts_tooth_warning
-    Reserved: Cardinal;
+    Reserved: Cardinal; // 0
     Confidence: Double; // of the tooth, 0 to 1; 0 where it is not separated
     GroupConfidence: Double; // that the group is exactly one tooth; 1 for groups made by hand
   end;
@@ -544,36 +561,37 @@ type
   // Faces that two teeth hold. In ts_get_labels they go to the tooth that is locked, or, where neither or both are,
   // to the one whose nearest seed is nearer to the middle of the face; ts_get_tooth_faces has them for both.
   ts_overlap = record
-    Winner: Cardinal; // ids of the teeth
-    Loser: Cardinal; // ids of the teeth
+    Winner: Cardinal; // id of the tooth that they go to
+    Loser: Cardinal; // id of the other one
     Faces: Cardinal; // of the model
-    Reserved: Cardinal;
+    Reserved: Cardinal; // 0
     Area: Double; // mm^2
   end;
 
+  // The steps that are kept.
   ts_history_info = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
     Undo: Cardinal; // steps that can be taken back
     Redo: Cardinal; // steps that can be brought again
     Complete: Cardinal; // 1: back to the beginning; 0: the limit has dropped the oldest
     Bytes: UInt64; // about what the steps keep
-    Limit: UInt64;
+    Limit: UInt64; // how much they may (ts_set_history_limit)
   end;
 
   // How numbers are told.
   ts_number_options = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // set by ts_number_options_init
     Jaw: ts_jaw; // UNKNOWN (default): estimated
     // 1: the scan is a mirror image of the patient, so left and right change places. No scan shows whether it is one.
     // Default 0
     Mirrored: Cardinal;
-    Reserved: Cardinal;
+    Reserved: Cardinal; // 0
     LeastConfidence: Double; // 0 to 1: a number or a jaw under it is uncertain. Default 0.9
   end;
 
   // The number of a tooth.
   ts_number_info = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
     Fdi: Cardinal; // the most probable, also where it is uncertain
     SetByHand: Cardinal; // 1: by ts_set_number
     Uncertain: Cardinal; // 1: confidence under least_confidence: to be shown to a person before it is used
@@ -582,7 +600,7 @@ type
 
   // The jaw that the numbers are of.
   ts_jaw_info = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
     Jaw: ts_jaw; // the more probable, also where it is uncertain
     Given: Cardinal; // 1: by the options or by a number set by hand
     Uncertain: Cardinal; // 1: confidence under least_confidence
@@ -591,7 +609,7 @@ type
 
   // A number as Palmer's notation has it.
   ts_palmer = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
     Quadrant: Cardinal; // as in FDI: 1 upper right, 2 upper left, 3 lower left, 4 lower right
     Position: Cardinal; // 1 (central incisor) to 8
     Letters: ts_char4; // "UR6"
@@ -600,28 +618,30 @@ type
 
   // An edit that is kept.
   ts_cut_edit = record
-    Kind: ts_edit_kind;
+    Kind: ts_edit_kind; // which of them
     // TS_OK: it shows in the cut; else why it was dropped when the tooth was last separated again. A dropped edit is
     // tried again the next time
     Status: ts_status;
     Points: Cardinal; // 2 of a drag, those of a stroke, 0 of the others
-    Reserved: Cardinal;
+    Reserved: Cardinal; // 0
     Amount: Double; // reach, mm or strength as given; 0 of a stroke
     From: ts_double3; // of a drag where the cut was taken, of a stroke its first point, mm
     To_: ts_double3; // of a drag where it was taken to, of a stroke its last point, mm
   end;
 
+  // How meshes of teeth are made.
   ts_tooth_mesh_options = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // set by ts_tooth_mesh_options_init
     // 1: all rims are closed by smooth membranes, those of the scan (holes, open ends) as well. Default 0
     Closed: Cardinal;
   end;
 
+  // Counts and measures of a mesh.
   ts_mesh_info = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
     Label_: Cardinal; // ts_tooth_info::label, 0 of the gingiva
-    Vertices: Cardinal;
-    Triangles: Cardinal;
+    Vertices: Cardinal; // number of vertices
+    Triangles: Cardinal; // number of triangles
     FillTriangles: Cardinal; // of these, at the end: those that close it
     CutVertices: Cardinal; // that it shares with other parts
     OpenRims: Cardinal; // 0: watertight
@@ -636,15 +656,16 @@ type
     Lost: Double; // of a tooth: what its cuts enclose and another tooth or the gingiva has, mm^2
   end;
 
+  // How a segmentation is written.
   ts_save_options = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // set by ts_save_options_init
     // 1: the model's faces as they are, each of the tooth that ts_get_labels says. Default 0: split along the cuts
     WholeFaces: Cardinal;
   end;
 
   // Which way a tooth looks, and its extent that way over the faces of ts_get_tooth_faces.
   ts_tooth_frame = record
-    StructSize: Cardinal;
+    StructSize: Cardinal; // in: sizeof this struct
     // 1: mesial is along the arch curve; 0: there is none (features made by hand), and mesial is the direction in
     // which the tooth is widest, to either side
     FromArch: Cardinal;
@@ -803,40 +824,42 @@ function ts_context_create(options: Pts_context_options; out_: PPts_context): ts
 procedure ts_context_destroy(context: Pts_context); cdecl; external TS_LIBRARY;
 
 // Makes a job. `progress` may be NULL (then the job serves to cancel only). `out` owned by the caller. Errors:
-// TS_E_NULL, TS_E_OUT_OF_MEMORY. Since 0.1.0; threads: exclusive.
+// TS_E_NULL, TS_E_OUT_OF_MEMORY. Since 0.1.0; threads: any.
 function ts_job_create(context: Pts_context; progress: ts_progress_fn; user: Pointer; out_: PPts_job): ts_status; cdecl; external TS_LIBRARY;
 
 // Asks the running call to stop: it returns TS_E_CANCELLED soon, with nothing changed. Sticky until ts_job_reset. Any
 // thread, any time between create and destroy; NULL is fine. Since 0.1.0; threads: any.
 procedure ts_job_cancel(job: Pts_job); cdecl; external TS_LIBRARY;
 
-// Makes a cancelled job usable again. Not while a call uses it. Since 0.1.0; threads: any.
+// Makes a cancelled job usable again. Not while a call uses it. Since 0.1.0; threads: exclusive.
 procedure ts_job_reset(job: Pts_job); cdecl; external TS_LIBRARY;
 
 // The last reported fraction, 0 before any. Any thread. NULL gives 0. Since 0.1.0; threads: any.
 function ts_job_progress(job: Pts_job): Double; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: any.
+// Gives a job back; NULL is fine. Not while a call uses it. Since 0.1.0; threads: exclusive.
 procedure ts_job_destroy(job: Pts_job); cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: any.
+// Fills `input` with an empty mesh of doubles. `struct_size`: sizeof(ts_mesh_input). Errors: TS_E_NULL,
+// TS_E_STRUCT_SIZE. Thread: any. Since 0.1.0; threads: any.
 function ts_mesh_input_init(input: Pts_mesh_input; struct_size: Cardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: any.
+// Fills `options` with the defaults. `struct_size`: sizeof(ts_intake_options). Errors and threads: as above. Since
+// 0.1.0; threads: any.
 function ts_intake_options_init(options: Pts_intake_options; struct_size: Cardinal): ts_status; cdecl; external TS_LIBRARY;
 
 // Makes a model from the caller's arrays. Errors: TS_E_MESH_*, TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_INVALID_ARGUMENT,
-// TS_E_OUT_OF_MEMORY, TS_E_CANCELLED. `options` and `job` may be NULL. Since 0.1.0; threads: exclusive.
+// TS_E_OUT_OF_MEMORY, TS_E_CANCELLED. `options` and `job` may be NULL. Since 0.1.0; threads: any.
 function ts_model_create(context: Pts_context; input: Pts_mesh_input; options: Pts_intake_options; job: Pts_job; out_: PPts_model): ts_status; cdecl; external TS_LIBRARY;
 
 // Makes a model from a file: binary or ASCII STL, PLY (ASCII, binary of either byte order), OBJ, OFF. `path`: UTF-8.
-// Errors: TS_E_FILE_*, and those of ts_model_create. Since 0.1.0; threads: exclusive.
+// Errors: TS_E_FILE_*, and those of ts_model_create. Since 0.1.0; threads: any.
 function ts_model_load(context: Pts_context; path: PAnsiChar; options: Pts_intake_options; job: Pts_job; out_: PPts_model): ts_status; cdecl; external TS_LIBRARY;
 
-// The same from a file already in memory. Since 0.1.0; threads: exclusive.
+// The same from a file already in memory. Since 0.1.0; threads: any.
 function ts_model_read(context: Pts_context; bytes: Pointer; size: NativeUInt; format: ts_file_format; options: Pts_intake_options; job: Pts_job; out_: PPts_model): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: exclusive.
+// Gives a model back; NULL is fine. It lives on until its last child is gone. Since 0.1.0; threads: exclusive.
 procedure ts_model_destroy(model: Pts_model); cdecl; external TS_LIBRARY;
 
 // Fills the report. `report->struct_size` in, the rest out. Since 0.1.0; threads: concurrent.
@@ -864,7 +887,8 @@ function ts_model_nearest(model: Pts_model; position: Pts_double3; out_: Pts_sur
 // TS_E_NOT_FOUND (the ray misses), TS_E_NULL, TS_E_INVALID_ARGUMENT. Since 0.1.0; threads: concurrent.
 function ts_model_raycast(model: Pts_model; origin: Pts_double3; direction: Pts_double3; out_: Pts_surface_point): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: any.
+// Fills `options` with the defaults. `struct_size`: sizeof(ts_feature_options). Errors: TS_E_NULL, TS_E_STRUCT_SIZE.
+// Thread: any. Since 0.1.0; threads: any.
 function ts_feature_options_init(options: Pts_feature_options; struct_size: Cardinal): ts_status; cdecl; external TS_LIBRARY;
 
 // Finds the features of a model. Errors: TS_E_NO_TEETH, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. Since 0.1.0;
@@ -877,7 +901,7 @@ function ts_features_create(model: Pts_model; out_: PPts_features): ts_status; c
 // Makes a copy. Since 0.1.0; threads: concurrent.
 function ts_features_clone(features: Pts_features; out_: PPts_features): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: exclusive.
+// Gives features back; NULL is fine. Since 0.1.0; threads: exclusive.
 procedure ts_features_destroy(features: Pts_features); cdecl; external TS_LIBRARY;
 
 // Counts, and what the detection saw (0 in a set made by hand). `info->struct_size` in, the rest out. Since 0.1.0;
@@ -887,7 +911,8 @@ function ts_features_get_info(features: Pts_features; info: Pts_features_info): 
 // The unit vector from the gums to the biting surface. Since 0.1.0; threads: concurrent.
 function ts_features_get_occlusal(features: Pts_features; direction: Pts_double3): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: exclusive.
+// Sets it by hand; `direction` need not have length 1. Errors: TS_E_INVALID_ARGUMENT (no length, not finite),
+// TS_E_NULL. Since 0.1.0; threads: exclusive.
 function ts_features_set_occlusal(features: Pts_features; direction: Pts_double3): ts_status; cdecl; external TS_LIBRARY;
 
 // The arch curve as a polyline from one end of the arch to the other: 3 doubles a point, mm. Since 0.1.0; threads:
@@ -904,27 +929,30 @@ function ts_features_get_groups(features: Pts_features; groups: Pts_feature_grou
 // its position). `point` and `group_out` may be NULL. Errors: TS_E_NOT_FOUND, usage. Since 0.1.0; threads: exclusive.
 function ts_features_add_point(features: Pts_features; position: Pts_double3; group: Cardinal; point: PCardinal; group_out: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: exclusive.
+// Moves a point to the surface point nearest to `position`; it counts as set by hand then. Errors: TS_E_NOT_FOUND,
+// usage. Since 0.1.0; threads: exclusive.
 function ts_features_move_point(features: Pts_features; point: Cardinal; position: Pts_double3): ts_status; cdecl; external TS_LIBRARY;
 
 // Puts a point into another group (TS_NONE: a new one). A group without points ceases to exist. Since 0.1.0; threads:
 // exclusive.
 function ts_features_set_group(features: Pts_features; point: Cardinal; group: Cardinal; group_out: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: exclusive.
+// Takes a point away, and its group with the last of them. Errors: TS_E_NOT_FOUND, TS_E_NULL. Since 0.1.0; threads:
+// exclusive.
 function ts_features_remove_point(features: Pts_features; point: Cardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: exclusive.
+// Takes a group away with all its points. Errors: TS_E_NOT_FOUND, TS_E_NULL. Since 0.1.0; threads: exclusive.
 function ts_features_remove_group(features: Pts_features; group: Cardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: any.
+// Fills `options` with those of a preset. `struct_size`: sizeof(ts_segment_options). Errors: TS_E_NULL,
+// TS_E_STRUCT_SIZE, TS_E_INVALID_ARGUMENT (no such preset). Thread: any. Since 0.1.0; threads: any.
 function ts_segment_options_init(options: Pts_segment_options; struct_size: Cardinal; preset: ts_preset): ts_status; cdecl; external TS_LIBRARY;
 
 // Prepares a scan: weights, and the factorisation that all clicks share. `features` are copied. Errors:
 // TS_E_NO_CONSTRAINT, TS_E_SOLVER, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. Since 0.1.0; threads: concurrent.
 function ts_segmentation_create(features: Pts_features; options: Pts_segment_options; job: Pts_job; out_: PPts_segmentation): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: exclusive.
+// Gives a segmentation back; NULL is fine. Since 0.1.0; threads: exclusive.
 procedure ts_segmentation_destroy(segmentation: Pts_segmentation); cdecl; external TS_LIBRARY;
 
 // Separates the tooth under `position` (mm, on the surface) and its neighbour: the group closest along the surface is
@@ -953,9 +981,10 @@ function ts_segment_clicks(segmentation: Pts_segmentation; positions: PDouble; c
 // concurrent.
 function ts_propose_clicks(segmentation: Pts_segmentation; positions: PDouble; capacity: Cardinal; count: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: concurrent.
+// How many clicks have succeeded so far. Errors: TS_E_NULL. Since 0.1.0; threads: concurrent.
 function ts_get_click_count(segmentation: Pts_segmentation; count: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
+// `click`: counted from 0. `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND, TS_E_NULL, TS_E_STRUCT_SIZE.
 // Since 0.1.0; threads: concurrent.
 function ts_get_click(segmentation: Pts_segmentation; click: Cardinal; info: Pts_click_info): ts_status; cdecl; external TS_LIBRARY;
 
@@ -966,6 +995,7 @@ function ts_get_field(segmentation: Pts_segmentation; click: Cardinal; u: PDoubl
 // The histogram of Fig. 4C: vertices a bin over [0, 1]. Since 0.1.0; threads: concurrent.
 function ts_get_histogram(segmentation: Pts_segmentation; click: Cardinal; bins: PCardinal; capacity: Cardinal; count: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
+// All contours of a click, by rising iso-value (ts_segment_options::contours of them). Errors: TS_E_NOT_FOUND, usage.
 // Since 0.1.0; threads: concurrent.
 function ts_get_contours(segmentation: Pts_segmentation; click: Cardinal; contours: Pts_contour_info; capacity: Cardinal; count: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
@@ -976,13 +1006,15 @@ function ts_get_contour_points(segmentation: Pts_segmentation; click: Cardinal; 
 // Ids of the teeth separated so far, along the arch. Since 0.1.0; threads: concurrent.
 function ts_get_teeth(segmentation: Pts_segmentation; teeth: PCardinal; capacity: Cardinal; count: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: concurrent.
+// `tooth`: id. `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND, TS_E_NULL, TS_E_STRUCT_SIZE. Since
+// 0.1.0; threads: concurrent.
 function ts_get_tooth(segmentation: Pts_segmentation; tooth: Cardinal; info: Pts_tooth_info): ts_status; cdecl; external TS_LIBRARY;
 
+// Model faces of a tooth, ascending, those that another tooth holds as well included. Errors: TS_E_NOT_FOUND, usage.
 // Since 0.1.0; threads: concurrent.
 function ts_get_tooth_faces(segmentation: Pts_segmentation; tooth: Cardinal; faces: PCardinal; capacity: Cardinal; count: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: concurrent.
+// Model vertices of these faces, ascending. Errors: TS_E_NOT_FOUND, usage. Since 0.1.0; threads: concurrent.
 function ts_get_tooth_vertices(segmentation: Pts_segmentation; tooth: Cardinal; vertices: PCardinal; capacity: Cardinal; count: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
 // Model vertices held as this tooth's constraint. Since 0.1.0; threads: concurrent.
@@ -996,7 +1028,7 @@ function ts_get_cut(segmentation: Pts_segmentation; tooth: Cardinal; loop: Cardi
 // Faces that intake dropped have the label of the face they duplicate or touch. Since 0.1.0; threads: concurrent.
 function ts_get_labels(segmentation: Pts_segmentation; labels: PCardinal; capacity: Cardinal; count: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: concurrent.
+// `times->struct_size` in, the rest out. Errors: TS_E_NULL, TS_E_STRUCT_SIZE. Since 0.1.0; threads: concurrent.
 function ts_get_prepare_times(segmentation: Pts_segmentation; times: Pts_prepare_times): ts_status; cdecl; external TS_LIBRARY;
 
 // Errors: TS_E_NULL, TS_E_STRUCT_SIZE. Since 0.1.0; threads: concurrent.
@@ -1050,20 +1082,21 @@ function ts_tooth_remove(segmentation: Pts_segmentation; tooth: Cardinal): ts_st
 // threads: exclusive.
 function ts_tooth_set_locked(segmentation: Pts_segmentation; tooth: Cardinal; locked: Cardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: concurrent.
+// `locked` out: 1 or 0. Errors: TS_E_NOT_FOUND, TS_E_NULL. Since 0.1.0; threads: concurrent.
 function ts_tooth_get_locked(segmentation: Pts_segmentation; tooth: Cardinal; locked: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: concurrent.
+// All of them, by pairs of teeth. Errors: TS_E_NULL, TS_E_BUFFER_TOO_SMALL. Since 0.1.0; threads: concurrent.
 function ts_get_overlaps(segmentation: Pts_segmentation; overlaps: Pts_overlap; capacity: Cardinal; count: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Takes back the last step, or brings it again: the teeth, clicks and groups are then, byte for byte, what they were.
-// A new step forgets what was taken back. Errors: TS_E_NO_HISTORY, usage. Since 0.1.0; threads: exclusive.
+// Takes back the last step: the teeth, clicks and groups are then, byte for byte, what they were. Errors:
+// TS_E_NO_HISTORY, usage. Since 0.1.0; threads: exclusive.
 function ts_undo(segmentation: Pts_segmentation): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: exclusive.
+// Brings again the step that was taken back last. A new step forgets those. Errors: TS_E_NO_HISTORY, usage. Since
+// 0.1.0; threads: exclusive.
 function ts_redo(segmentation: Pts_segmentation): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: concurrent.
+// `info->struct_size` in, the rest out. Errors: TS_E_NULL, TS_E_STRUCT_SIZE. Since 0.1.0; threads: concurrent.
 function ts_get_history(segmentation: Pts_segmentation; info: Pts_history_info): ts_status; cdecl; external TS_LIBRARY;
 
 // How many bytes the steps may keep; the oldest are dropped over it, at once. 256 MiB unless set. Since 0.1.0;
@@ -1130,12 +1163,12 @@ function ts_get_number(segmentation: Pts_segmentation; tooth: Cardinal; info: Pt
 // TS_E_STRUCT_SIZE. Since 0.1.0; threads: concurrent.
 function ts_get_jaw(segmentation: Pts_segmentation; info: Pts_jaw_info): ts_status; cdecl; external TS_LIBRARY;
 
-// FDI to Universal (1 to 32 from the upper right third molar to the upper left, on from the lower left to the lower
-// right) and back. Errors: TS_E_INVALID_ARGUMENT (no number of a permanent tooth), TS_E_NULL. Thread: any. Since
-// 0.1.0; threads: any.
+// FDI to Universal: 1 to 32 from the upper right third molar to the upper left, on from the lower left to the lower
+// right. Errors: TS_E_INVALID_ARGUMENT (no number of a permanent tooth), TS_E_NULL. Thread: any. Since 0.1.0;
+// threads: any.
 function ts_fdi_to_universal(fdi: Cardinal; universal: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
-// Since 0.1.0; threads: any.
+// And back. Errors and threads: as ts_fdi_to_universal. Since 0.1.0; threads: any.
 function ts_universal_to_fdi(universal: Cardinal; fdi: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
 // `palmer->struct_size` in, the rest out. Errors: TS_E_INVALID_ARGUMENT (no FDI number of a permanent tooth),
