@@ -107,6 +107,7 @@ namespace Toothseg
             var job = (Job)GCHandle.FromIntPtr((IntPtr)user).Target;
             try
             {
+                LibraryThreads.Enter();
                 return job.progress!(fraction, Text.Decode(stage, int.MaxValue)) ? 0 : 1;
             }
             catch (Exception e)

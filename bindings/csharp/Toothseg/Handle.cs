@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #nullable enable
 using System;
+using System.Diagnostics;
+using System.Reflection;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+using System.Threading;
 
 namespace Toothseg
 {
@@ -70,6 +74,38 @@ namespace Toothseg
         }
     }
 
+    // Threads of the library that come into managed code by a callback. They live as long as the process, and Mono, which takes
+    // them for threads of the program, would wait for their end when it is over, for ever.
+    internal static class LibraryThreads
+    {
+        private const long NotManaged = 1; // what Mono's own helper threads have among their flags (MONO_THREAD_FLAG_DONT_MANAGE)
+
+        // Fields of Mono's Thread, null on other runtimes, which do not wait for such threads.
+        private static readonly FieldInfo? Internal =
+            typeof(Thread).GetField("internal_thread", BindingFlags.Instance | BindingFlags.NonPublic);
+        private static readonly FieldInfo? Flags = Internal == null ? null :
+            Internal.FieldType.GetField("flags", BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public);
+
+        [ThreadStatic] private static bool known;
+
+        // At the start of a hook. On a thread of the library there is no managed frame below that of the hook; the caller's
+        // own threads stay what they are.
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        internal static void Enter()
+        {
+            if (known) return;
+            known = true;
+            if (new StackTrace(1, false).FrameCount > 1) return;
+            Thread thread = Thread.CurrentThread;
+            if (Internal != null && Flags != null && Flags.FieldType == typeof(IntPtr))
+            {
+                object mono = Internal.GetValue(thread);
+                Flags.SetValue(mono, (IntPtr)((long)(IntPtr)Flags.GetValue(mono) | NotManaged));
+            }
+            thread.IsBackground = true;
+        }
+    }
+
     // The hooks of a context, alive until the last object made from it is gone.
     internal sealed unsafe class Hooks
     {
@@ -126,19 +162,19 @@ namespace Toothseg
 
         private static void TellHook(LogLevel level, byte* text, void* user)
         {
-            try { Of(user).log!(level, Text.Decode(text, int.MaxValue)); }
+            try { LibraryThreads.Enter(); Of(user).log!(level, Text.Decode(text, int.MaxValue)); }
             catch { } // a line is lost; the work goes on
         }
 
         private static void* AllocateHook(UIntPtr bytes, void* user)
         {
-            try { return (void*)Of(user).allocate!(bytes); }
+            try { LibraryThreads.Enter(); return (void*)Of(user).allocate!(bytes); }
             catch { return null; } // out of memory
         }
 
         private static void FreeHook(void* memory, void* user)
         {
-            try { Of(user).free!((IntPtr)memory); }
+            try { LibraryThreads.Enter(); Of(user).free!((IntPtr)memory); }
             catch { } // nobody could make anything of it
         }
     }
