@@ -458,7 +458,7 @@ static partial class Tests
         Action[] tests =
         {
             StructsAreThoseOfC, FunctionsAreThere, EveryStatusHasItsException, ReferencesCoreLibraryAlone, LabelsAreThoseOfTheCommand,
-            SegmentArchDoesAllAndCancels, HelloToothPrintsACut, ModelsFromArrays, FeaturesCanBeEdited, OptionsHaveTheLibrarysDefaults, EverythingAboutAClick,
+            SegmentArchDoesAll, HelloToothPrintsACut, ModelsFromArrays, FeaturesCanBeEdited, OptionsHaveTheLibrarysDefaults, EverythingAboutAClick,
             CorrectionsUndoAndRedo, NumbersOfTeeth, MeshesOfTeeth, SessionsGoOn, FaultsOfFilesMeshesAndFeatures,
             WhatIsRefusedChangesNothing, NothingWorksAfterDispose, DisposedInAnyOrder, NothingLeaks, WhatIsForgottenIsFinalized, NoMemory,
             ProgressRises, CallbacksCancelAndThrow, CancelFromAnotherThread, ChangesAreTold, LogIsHeard, TwoThreadsReadOneModel

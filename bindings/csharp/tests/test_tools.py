@@ -5,6 +5,7 @@ import copy
 import importlib.util
 import json
 import os
+import pty
 import shutil
 import subprocess
 import sys
@@ -88,6 +89,30 @@ class Package(unittest.TestCase):
                                 timeout=60)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertGreater(len(result.stdout.splitlines()), 50)
+
+
+class Terminal(unittest.TestCase):
+    def test_control_c_cancels(self):
+        # Mono hears Ctrl-C where standard input is a terminal.
+        labels = os.path.join(SCRATCH, 'cancelled.txt')
+        child, terminal = pty.fork()
+        if child == 0:
+            os.environ['TERM'] = 'xterm'
+            os.execvp('mono', ['mono', os.path.join(PROGRAMS, 'segment_arch.exe'), SCAN, '--labels', labels])
+        said = b''
+        sent = False
+        try:
+            while True:
+                said += os.read(terminal, 4096)
+                if b'reading' in said and not sent:
+                    sent = True
+                    os.write(terminal, b'\x03')
+        except OSError:  # the other end is closed
+            pass
+        status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+        self.assertEqual(status, 2, said)
+        self.assertIn(b'TS_E_CANCELLED', said)
+        self.assertFalse(os.path.exists(labels))
 
 
 if __name__ == '__main__':
