@@ -42,9 +42,9 @@ static class Overhead
             double withHandle = Nanoseconds(1000000, () => count = segmentation.ClickCount);
             double fresh = Median(() => segmentation.GetLabels());
             double reused = Median(() => segmentation.GetLabels(labels));
-            Console.WriteLine(string.Format(CultureInfo.InvariantCulture,
-                "{{\"call_ns\": {0:F1}, \"call_with_handle_ns\": {1:F1}, \"faces\": {2}, \"labels_ms\": {3:F3}, \"labels_reused_ms\": {4:F3}}}",
-                call, withHandle, labels.Length, fresh, reused));
+            Console.WriteLine("{" + string.Format(CultureInfo.InvariantCulture,
+                "\"call_ns\": {0:F1}, \"call_with_handle_ns\": {1:F1}, \"faces\": {2}, \"labels_ms\": {3:F3}, \"labels_reused_ms\": {4:F3}",
+                call, withHandle, labels.Length, fresh, reused) + "}");
         }
     }
 }
