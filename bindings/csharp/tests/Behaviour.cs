@@ -278,6 +278,32 @@ static partial class Tests
         Equal(0, left, "rounds with memory left");
     }
 
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    static WeakReference HookOfADisposedContext()
+    {
+        var held = new object();
+        var c = new Context(new ContextOptions { Log = (level, text) => held.ToString() });
+        using (Model m = Model.Create(c, Plane(), PlaneFaces()))
+        {
+            c.Dispose();
+            Throws<FeaturesException>(() => Features.Detect(m)); // the hooks are there for the model
+        }
+        return new WeakReference(held);
+    }
+
+    static void HooksGoWithTheLastObject()
+    {
+        var hooks = new WeakReference[20];
+        var thread = new Thread(() => { for (int i = 0; i < hooks.Length; ++i) hooks[i] = HookOfADisposedContext(); });
+        thread.Start();
+        thread.Join();
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        GC.Collect();
+        int left = Array.FindAll(hooks, h => h.IsAlive).Length;
+        Check(left <= 2, left + " hooks are left"); // the collector looks at the stack cautiously and may keep one
+    }
+
     static void NoMemory()
     {
         foreach (bool throws in new[] { false, true })
@@ -460,7 +486,8 @@ static partial class Tests
             StructsAreThoseOfC, FunctionsAreThere, EveryStatusHasItsException, ReferencesCoreLibraryAlone, LabelsAreThoseOfTheCommand,
             SegmentArchDoesAll, HelloToothPrintsACut, ModelsFromArrays, FeaturesCanBeEdited, OptionsHaveTheLibrarysDefaults, EverythingAboutAClick,
             CorrectionsUndoAndRedo, NumbersOfTeeth, MeshesOfTeeth, SessionsGoOn, FaultsOfFilesMeshesAndFeatures,
-            WhatIsRefusedChangesNothing, NothingWorksAfterDispose, DisposedInAnyOrder, NothingLeaks, WhatIsForgottenIsFinalized, NoMemory,
+            WhatIsRefusedChangesNothing, NothingWorksAfterDispose, DisposedInAnyOrder, NothingLeaks, WhatIsForgottenIsFinalized, HooksGoWithTheLastObject,
+            NoMemory,
             ProgressRises, CallbacksCancelAndThrow, CancelFromAnotherThread, ChangesAreTold, LogIsHeard, TwoThreadsReadOneModel
         };
         int passed = 0;
