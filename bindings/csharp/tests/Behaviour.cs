@@ -104,6 +104,31 @@ static partial class Tests
         }
     }
 
+    // A spike through the crown and down through the gums: no membrane closes the socket without crossing it.
+    static void WhatCannotBeClosed()
+    {
+        Point centre, up = features.Occlusal;
+        using (Segmentation s = Separated()) centre = s.GetToothFrame(s.GetTeeth()[4]).Centre;
+        var positions = new List<Point>(model.GetPositions());
+        var triangles = new List<Triangle>(model.GetTriangles());
+        var n = (uint)positions.Count;
+        double[][] corners = { new[] { -3.0, -3, -25 }, new[] { 3.0, -3, -25 }, new[] { 0.0, 3, -25 }, new[] { 0.0, 0, 5 } };
+        foreach (double[] c in corners)
+            positions.Add(new Point(centre.X + c[0] + c[2] * up.X, centre.Y + c[1] + c[2] * up.Y, centre.Z + c[2] * up.Z));
+        foreach (Triangle t in new[] { new Triangle(0, 2, 1), new Triangle(0, 1, 3), new Triangle(1, 2, 3), new Triangle(2, 0, 3) })
+            triangles.Add(new Triangle(n + t.A, n + t.B, n + t.C));
+        using (Model pierced = Model.Create(context, positions.ToArray(), triangles.ToArray()))
+        using (Features found = Features.Detect(pierced))
+        using (var s = new Segmentation(found))
+        {
+            s.SegmentAll();
+            string before = Dump(s);
+            Refused<ToothMeshException>(Status.NotClosed, () => s.MakeGingivaMesh(new ToothMeshOptions { Closed = true }));
+            Check(before == Dump(s), "something has changed");
+            s.MakeGingivaMesh().Dispose();
+        }
+    }
+
     // ----------------------------------------------------------------------------------------------------- ownership
 
     static object Example(ParameterInfo parameter)
@@ -486,7 +511,7 @@ static partial class Tests
             StructsAreThoseOfC, FunctionsAreThere, EveryStatusHasItsException, ReferencesCoreLibraryAlone, LabelsAreThoseOfTheCommand,
             SegmentArchDoesAll, HelloToothPrintsACut, ModelsFromArrays, FeaturesCanBeEdited, OptionsHaveTheLibrarysDefaults, EverythingAboutAClick,
             CorrectionsUndoAndRedo, NumbersOfTeeth, MeshesOfTeeth, SessionsGoOn, FaultsOfFilesMeshesAndFeatures,
-            WhatIsRefusedChangesNothing, NothingWorksAfterDispose, DisposedInAnyOrder, NothingLeaks, WhatIsForgottenIsFinalized, HooksGoWithTheLastObject,
+            WhatIsRefusedChangesNothing, WhatCannotBeClosed, NothingWorksAfterDispose, DisposedInAnyOrder, NothingLeaks, WhatIsForgottenIsFinalized, HooksGoWithTheLastObject,
             NoMemory,
             ProgressRises, CallbacksCancelAndThrow, CancelFromAnotherThread, ChangesAreTold, LogIsHeard, TwoThreadsReadOneModel
         };
