@@ -161,11 +161,14 @@ static partial class Tests
         var start = new ProcessStartInfo(program, arguments) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true };
         using (Process process = Process.Start(start))
         {
-            output = process.StandardOutput.ReadToEnd() + process.StandardError.ReadToEnd();
-            // A program that does not end is a failure, not a wait.
-            if (process.WaitForExit(20000)) return process.ExitCode;
-            process.Kill();
-            throw new Failure(program + " " + arguments + " does not end");
+            bool ended = true; // a program that does not end is a failure, not a wait
+            using (new Timer(unused => { ended = false; process.Kill(); }, null, 30000, Timeout.Infinite))
+            {
+                output = process.StandardOutput.ReadToEnd() + process.StandardError.ReadToEnd();
+                process.WaitForExit();
+            }
+            Check(ended, program + " " + arguments + " does not end");
+            return process.ExitCode;
         }
     }
 
