@@ -95,16 +95,23 @@ namespace Toothseg
         NotClosed = 750,
     }
 
+    /// <summary>How much a line of the log matters.</summary>
     public enum LogLevel : int
     {
+        /// <summary>not used so far: a call that fails says so in its status</summary>
         Error = 0,
+        /// <summary>the call did its work, and something about it is odd</summary>
         Warning = 1,
+        /// <summary>what was found and how long it took</summary>
         Info = 2,
     }
 
+    /// <summary>Type of the caller's coordinates.</summary>
     public enum Scalar : int
     {
+        /// <summary>float</summary>
         Float32 = 0,
+        /// <summary>double</summary>
         Float64 = 1,
     }
 
@@ -112,20 +119,30 @@ namespace Toothseg
     /// contradicts it (bounding box diagonal under 9 or over 400); the others convert without a check.</summary>
     public enum Unit : int
     {
+        /// <summary>mm, checked</summary>
         CheckedMm = 0,
+        /// <summary>mm, whatever the size</summary>
         Mm = 1,
+        /// <summary>10 mm</summary>
         Cm = 2,
+        /// <summary>1000 mm</summary>
         M = 3,
+        /// <summary>25.4 mm</summary>
         Inch = 4,
     }
 
+    /// <summary>Formats that are read.</summary>
     public enum FileFormat : int
     {
         /// <summary>told from the content, not from the name</summary>
         Auto = 0,
+        /// <summary>binary or ASCII</summary>
         Stl = 1,
+        /// <summary>ASCII, or binary of either byte order</summary>
         Ply = 2,
+        /// <summary>`v` and `f` lines; the rest is passed over</summary>
         Obj = 3,
+        /// <summary>ASCII; [ST][C][N]OFF</summary>
         Off = 4,
     }
 
@@ -144,6 +161,7 @@ namespace Toothseg
         SeveralArches = 4,
     }
 
+    /// <summary>What options are initialised to.</summary>
     public enum Preset : int
     {
         /// <summary>the best we know: docs/method.md</summary>
@@ -220,20 +238,28 @@ namespace Toothseg
     /// <summary>The jaw of a scan.</summary>
     public enum Jaw : int
     {
+        /// <summary>not known</summary>
         Unknown = 0,
+        /// <summary>maxilla</summary>
         Upper = 1,
+        /// <summary>mandible</summary>
         Lower = 2,
     }
 
+    /// <summary>What an edit did.</summary>
     public enum EditKind : int
     {
+        /// <summary>ts_cut_drag</summary>
         Drag = 1,
+        /// <summary>ts_cut_draw</summary>
         Draw = 2,
+        /// <summary>ts_cut_offset</summary>
         Offset = 3,
+        /// <summary>ts_cut_smooth</summary>
         Smooth = 4,
     }
 
-    /// <summary>What a vertex is. Values are fixed;</summary>
+    /// <summary>What a vertex is.</summary>
     [Flags]
     public enum MeshVertexFlags : uint
     {
@@ -246,7 +272,7 @@ namespace Toothseg
         OfFill = 4,
     }
 
-    /// <summary>Formats that are written. Values are fixed;</summary>
+    /// <summary>Formats that are written.</summary>
     public enum OutputFormat : int
     {
         /// <summary>binary; floats</summary>
@@ -306,9 +332,11 @@ namespace Toothseg
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct SurfacePoint
     {
+        /// <summary>of the model</summary>
         public uint Face;
         /// <summary>the corner with the largest weight</summary>
         public uint NearestVertex;
+        /// <summary>weights of its corners, in their order</summary>
         public Point Barycentric;
         /// <summary>mm</summary>
         public Point Position;
@@ -316,11 +344,14 @@ namespace Toothseg
         public double Distance;
     }
 
+    /// <summary>Counts of a set of features, and what the detection saw of the scan.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct FeaturesInfo
     {
         internal uint StructSize;
+        /// <summary>number of groups</summary>
         public uint Groups;
+        /// <summary>number of points in all of them</summary>
         public uint Points;
         internal uint inside_out;
         /// <summary>1 if the detection found that the faces look inwards; everything works all the same</summary>
@@ -337,6 +368,7 @@ namespace Toothseg
         public double ArchLength;
     }
 
+    /// <summary>A feature point: where a tooth is held.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct FeaturePoint
     {
@@ -355,6 +387,7 @@ namespace Toothseg
         public double Convexity;
     }
 
+    /// <summary>The feature points of a tooth.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct FeatureGroup
     {
@@ -368,8 +401,9 @@ namespace Toothseg
         public uint Next;
         /// <summary>mean of its points, mm</summary>
         public Point Centre;
-        /// <summary>where its tooth begins and ends along the arch curve, mm; 0, 0 if made by hand</summary>
+        /// <summary>where its tooth begins along the arch curve, mm; 0 if made by hand</summary>
         public double ArchFrom;
+        /// <summary>where it ends, mm; 0 if made by hand</summary>
         public double ArchTo;
         /// <summary>0 to 1: how sure the detection is that this is one tooth; 1 if made by hand</summary>
         public double Confidence;
@@ -388,9 +422,11 @@ namespace Toothseg
         public double Cut;
         /// <summary>faces, refinement, labels</summary>
         public double Label;
+        /// <summary>of the call, but for its entry in the history</summary>
         public double Total;
     }
 
+    /// <summary>What came of a click.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct ClickInfo
     {
@@ -412,6 +448,7 @@ namespace Toothseg
         public double TargetIso;
         /// <summary>NaN if there is no neighbour</summary>
         public double NeighbourIso;
+        /// <summary>how long it took</summary>
         public ClickTimes Ms;
     }
 
@@ -419,6 +456,7 @@ namespace Toothseg
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct ContourInfo
     {
+        /// <summary>the value</summary>
         public double Iso;
         /// <summary>mean of |grad u| along it, 1/mm</summary>
         public double Gradient;
@@ -428,6 +466,7 @@ namespace Toothseg
         public double Length;
         /// <summary>in all its polylines</summary>
         public uint Points;
+        /// <summary>number of these</summary>
         public uint Polylines;
         /// <summary>1 = cut of the target, 2 = of the neighbour, 0 = neither</summary>
         public uint Chosen;
@@ -437,8 +476,11 @@ namespace Toothseg
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct EdgePoint
     {
+        /// <summary>model vertex</summary>
         public uint A;
+        /// <summary>model vertex</summary>
         public uint B;
+        /// <summary>0 at a, 1 at b</summary>
         public double T;
         /// <summary>mm</summary>
         public Point Position;
@@ -450,6 +492,7 @@ namespace Toothseg
     public unsafe struct ToothInfo
     {
         internal uint StructSize;
+        /// <summary>of the tooth</summary>
         public uint Id;
         /// <summary>what ts_get_labels writes: place of its feature group along the arch counted from 1; of the n-th
         /// group made by a click the number of feature groups + n; not an FDI number</summary>
@@ -474,12 +517,15 @@ namespace Toothseg
         public double Confidence;
         /// <summary>sum of ts_tooth_warning</summary>
         public ToothWarnings Warnings;
+        internal uint Reserved;
     }
 
+    /// <summary>A loop of a cut.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct CutInfo
     {
         internal uint StructSize;
+        /// <summary>number of these</summary>
         public uint Points;
         internal uint closed;
         /// <summary>1: the last point is joined to the first</summary>
@@ -506,6 +552,7 @@ namespace Toothseg
         public double Features;
         /// <summary>curvature, concavity, weights</summary>
         public double Weights;
+        /// <summary>constraints, ordering, factorisation</summary>
         public double Factorise;
     }
 
@@ -551,9 +598,9 @@ namespace Toothseg
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct Overlap
     {
-        /// <summary>ids of the teeth</summary>
+        /// <summary>id of the tooth that they go to</summary>
         public uint Winner;
-        /// <summary>ids of the teeth</summary>
+        /// <summary>id of the other one</summary>
         public uint Loser;
         /// <summary>of the model</summary>
         public uint Faces;
@@ -562,6 +609,7 @@ namespace Toothseg
         public double Area;
     }
 
+    /// <summary>The steps that are kept.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct HistoryInfo
     {
@@ -575,6 +623,7 @@ namespace Toothseg
         public bool Complete { get { return complete != 0; } }
         /// <summary>about what the steps keep</summary>
         public ulong Bytes;
+        /// <summary>how much they may (ts_set_history_limit)</summary>
         public ulong Limit;
     }
 
@@ -633,6 +682,7 @@ namespace Toothseg
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct CutEdit
     {
+        /// <summary>which of them</summary>
         public EditKind Kind;
         /// <summary>TS_OK: it shows in the cut; else why it was dropped when the tooth was last separated again. A
         /// dropped edit is tried again the next time</summary>
@@ -648,13 +698,16 @@ namespace Toothseg
         public Point To;
     }
 
+    /// <summary>Counts and measures of a mesh.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct MeshInfo
     {
         internal uint StructSize;
         /// <summary>ts_tooth_info::label, 0 of the gingiva</summary>
         public uint Label;
+        /// <summary>number of vertices</summary>
         public uint Vertices;
+        /// <summary>number of triangles</summary>
         public uint Triangles;
         /// <summary>of these, at the end: those that close it</summary>
         public uint FillTriangles;
@@ -705,7 +758,7 @@ namespace Toothseg
         public double Height;
     }
 
-    /// <summary>Options, initialised to the defaults of the library.</summary>
+    /// <summary>How a mesh is taken in.</summary>
     public sealed unsafe class IntakeOptions
     {
         internal ts_intake_options Value;
@@ -722,7 +775,7 @@ namespace Toothseg
         public double WeldTolerance { get { return Value.weld_tolerance; } set { Value.weld_tolerance = value; } }
     }
 
-    /// <summary>Options, initialised to the defaults of the library.</summary>
+    /// <summary>How features are found.</summary>
     public sealed unsafe class FeatureOptions
     {
         internal ts_feature_options Value;
@@ -783,9 +836,9 @@ namespace Toothseg
         public double SeedRadius { get { return Value.seed_radius; } set { Value.seed_radius = value; } }
         /// <summary>from every feature point, mm, at which gingiva begins for certain. 13</summary>
         public double GingivaDistance { get { return Value.gingiva_distance; } set { Value.gingiva_distance = value; } }
-        /// <summary>a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330</summary>
+        /// <summary>least area of a tooth, mm^2, for COMPONENT and for warnings. 25 / 25</summary>
         public double AreaMin { get { return Value.area_min; } set { Value.area_min = value; } }
-        /// <summary>a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330</summary>
+        /// <summary>largest area of a tooth, mm^2. 330 / 330</summary>
         public double AreaMax { get { return Value.area_max; } set { Value.area_max = value; } }
         /// <summary>holes in a tooth's region up to this are filled, mm^2. 40 / 0</summary>
         public double HoleArea { get { return Value.hole_area; } set { Value.hole_area = value; } }
@@ -825,7 +878,7 @@ namespace Toothseg
         public double LeastConfidence { get { return Value.least_confidence; } set { Value.least_confidence = value; } }
     }
 
-    /// <summary>Options, initialised to the defaults of the library.</summary>
+    /// <summary>How meshes of teeth are made.</summary>
     public sealed unsafe class ToothMeshOptions
     {
         internal ts_tooth_mesh_options Value;
@@ -841,7 +894,7 @@ namespace Toothseg
         public bool Closed { get { return Value.closed != 0; } set { Value.closed = value ? 1u : 0u; } }
     }
 
-    /// <summary>Options, initialised to the defaults of the library.</summary>
+    /// <summary>How a segmentation is written.</summary>
     public sealed unsafe class SaveOptions
     {
         internal ts_save_options Value;
@@ -879,6 +932,7 @@ namespace Toothseg
         internal uint stride;
         internal uint* triangles;
         internal uint triangle_count;
+        internal uint reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]

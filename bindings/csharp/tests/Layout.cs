@@ -6,7 +6,7 @@ static class Layout
     internal static readonly object[][] Structs =
     {
         new object[] { "ts_context_options", 48, "struct_size", 0, "threads", 4, "alloc", 8, "free", 16, "alloc_user", 24, "log", 32, "log_user", 40 },
-        new object[] { "ts_mesh_input", 40, "struct_size", 0, "scalar", 4, "positions", 8, "vertex_count", 16, "stride", 20, "triangles", 24, "triangle_count", 32 },
+        new object[] { "ts_mesh_input", 40, "struct_size", 0, "scalar", 4, "positions", 8, "vertex_count", 16, "stride", 20, "triangles", 24, "triangle_count", 32, "reserved", 36 },
         new object[] { "ts_intake_options", 16, "struct_size", 0, "unit", 4, "weld_tolerance", 8 },
         new object[] { "IntakeReport", 88, "StructSize", 0, "InputVertices", 4, "InputFaces", 8, "Polygons", 12, "WeldedVertices", 16, "UnreferencedVertices", 20, "DegenerateFaces", 24, "DuplicateFaces", 28, "FlippedFaces", 32, "NonManifoldEdges", 36, "NonManifoldVertices", 40, "UnorientableEdges", 44, "Vertices", 48, "Faces", 52, "Components", 56, "BoundaryLoops", 60, "Diagonal", 64, "Area", 72, "MeanEdge", 80 },
         new object[] { "SurfacePoint", 64, "Face", 0, "NearestVertex", 4, "Barycentric", 8, "Position", 32, "Distance", 56 },
@@ -19,7 +19,7 @@ static class Layout
         new object[] { "ClickInfo", 120, "StructSize", 0, "Target", 4, "Neighbour", 8, "Position", 16, "TargetDistance", 40, "NeighbourDistance", 48, "VMed", 56, "TargetIso", 64, "NeighbourIso", 72, "Ms", 80 },
         new object[] { "ContourInfo", 48, "Iso", 0, "Gradient", 8, "Concavity", 16, "Length", 24, "Points", 32, "Polylines", 36, "Chosen", 40 },
         new object[] { "EdgePoint", 40, "A", 0, "B", 4, "T", 8, "Position", 16 },
-        new object[] { "ToothInfo", 72, "StructSize", 0, "Id", 4, "Label", 8, "Click", 12, "Faces", 16, "Vertices", 20, "Loops", 24, "Seeds", 28, "Area", 32, "Iso", 40, "Gradient", 48, "Confidence", 56, "Warnings", 64 },
+        new object[] { "ToothInfo", 72, "StructSize", 0, "Id", 4, "Label", 8, "Click", 12, "Faces", 16, "Vertices", 20, "Loops", 24, "Seeds", 28, "Area", 32, "Iso", 40, "Gradient", 48, "Confidence", 56, "Warnings", 64, "Reserved", 68 },
         new object[] { "CutInfo", 48, "StructSize", 0, "Points", 4, "closed", 8, "Length", 16, "Iso", 24, "Gradient", 32, "Concavity", 40 },
         new object[] { "PrepareTimes", 40, "StructSize", 0, "Reserved", 4, "Intake", 8, "Features", 16, "Weights", 24, "Factorise", 32 },
         new object[] { "MemoryInfo", 48, "StructSize", 0, "Reserved", 4, "Model", 8, "Segmentation", 16, "Factor", 24, "FactorWhole", 32, "Click", 40 },
