@@ -4,6 +4,7 @@
     describe.py                 write abi/toothseg.json
     describe.py --check         fail if that is not what the header says
     describe.py --header H -o F another header, another file ("-": standard output)
+    describe.py --bare          without documentation, as releases are kept
 """
 import argparse
 import json
@@ -20,6 +21,12 @@ STANDARD = {
     "stddef.h": "typedef __SIZE_TYPE__ size_t;\n#define NULL ((void *)0)\n",
     "stdint.h": "".join(f"typedef __{s}INT{b}_TYPE__ {s.lower()}int{b}_t;\n" for s in ("U", "") for b in (8, 16, 32, 64)) +
     "#define UINT32_MAX 4294967295U\n",
+}
+# Arrays without the two-call idiom: `count` is an argument, `as_many` what another call tells.
+ARRAYS = {
+    ("ts_segment_clicks", "statuses"): {"count": "count"},
+    ("ts_get_contour_points", "starts"): {"as_many": "ts_contour_info.polylines"},
+    ("ts_get_contour_points", "closed"): {"as_many": "ts_contour_info.polylines"},
 }
 K, T = ci.CursorKind, ci.TypeKind
 
@@ -123,13 +130,17 @@ def describe_argument(a, names, at, function, structs):
                 a["array"] = {"count": following[0]}
     if kind == "void" and stars and following[:1] == ["size"]:
         a["array"] = {"count": "size"}
+    if (function, name) in ARRAYS:
+        a["array"] = ARRAYS[function, name]
     return a
 
 
 def thread_rule(function):
-    """Of the objects beside the job, which belongs to the call."""
-    handles = [a["type"] for a in function["arguments"]
-               if a["type"]["kind"] == "handle" and a["type"].get("pointer") == 1 and a["name"] != "job"]
+    """Of the objects beside the job, which belongs to the call, and the context, which things may be made from at once."""
+    if function["name"] in ("ts_job_reset", "ts_job_destroy", "ts_context_destroy"):
+        return "exclusive"
+    handles = [a["type"] for a in function["arguments"] if a["type"]["kind"] == "handle" and
+               a["type"].get("pointer") == 1 and a["type"]["base"] not in ("ts_job", "ts_context")]
     if not handles:
         return "any"
     return "concurrent" if all(t.get("const") for t in handles) else "exclusive"
@@ -201,16 +212,38 @@ def describe(header):
             "structs": list(structs.values()), "functions": functions}
 
 
+def without_docs(data):
+    if isinstance(data, list):
+        return [without_docs(d) for d in data]
+    if isinstance(data, dict):
+        return {name: without_docs(d) for name, d in data.items() if name != "doc"}
+    return data
+
+
+def bare(data):
+    """Without documentation, and an item of a list a line."""
+    lines = []
+    for name, value in without_docs(data).items():
+        if isinstance(value, list):
+            value = "[\n  " + ",\n  ".join(json.dumps(item) for item in value) + "\n ]"
+        else:
+            value = json.dumps(value)
+        lines.append(f' {json.dumps(name)}: {value}')
+    return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--header", default=os.path.join(ROOT, "include", "toothseg.h"))
     parser.add_argument("-o", "--output", default=os.path.join(ROOT, "abi", "toothseg.json"))
     parser.add_argument("--check", action="store_true")
+    parser.add_argument("--bare", action="store_true")
     o = parser.parse_args()
     try:
-        text = json.dumps(describe(o.header), indent=1, ensure_ascii=False) + "\n"
+        data = describe(o.header)
     except Problem as e:
         sys.exit(f"describe.py: {e}")
+    text = bare(data) if o.bare else json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     if o.output == "-":
         sys.stdout.write(text)
         return
