@@ -12,6 +12,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 #include <string>
 
 #include "check.h"
@@ -76,8 +77,12 @@ std::vector<std::uint32_t> labels_of(ts_context *context, const Mesh &mesh, ts_u
   check::model(model.get());
   check::features(model.get(), features.get());
   check::segmentation(model.get(), s.get(), deep);
-  return check::all<std::uint32_t>(
+  auto labels = check::all<std::uint32_t>(
       [&](std::uint32_t *p, std::uint32_t n, std::uint32_t *c) { return ts_get_labels(s.get(), p, n, c); });
+  // An arch has 14 teeth less the missing ones; what is compared must not be nothing.
+  const std::set<std::uint32_t> found(labels.begin(), labels.end());
+  HOLDS(found.size() > 10);
+  return labels;
 }
 
 // The share of faces whose tooth is another one. Labels are places along the arch, which may be counted from its other
