@@ -156,7 +156,7 @@ typedef struct ts_context ts_context;
 typedef enum ts_log_level { TS_LOG_ERROR = 0, TS_LOG_WARNING = 1, TS_LOG_INFO = 2, TS_LOG_FORCE_INT = 0x7fffffff } ts_log_level;
 
 /** Allocator hook. `alloc` returns memory aligned to 16 bytes, or NULL when there is none. Both may be called from any
- *  thread that works for the context. The large buffers of the library come from here; Eigen, OpenMesh and oneTBB keep
+ *  thread that works for the context. The large buffers of the library come from here; Eigen, JSON and oneTBB keep
  *  their own. */
 typedef void *(*ts_alloc_fn)(size_t bytes, void *user);
 typedef void (*ts_free_fn)(void *memory, void *user);
