@@ -52,7 +52,7 @@ def linked(build):
     wanted = re.findall(r"-l(\S+)", re.search(r"^Libs.private:(.*)$", pc, re.M).group(1))
     (exported,) = (build / "CMakeFiles/Export").rglob("toothsegTargets.cmake")
     interface = re.findall(r'INTERFACE_LINK_LIBRARIES "([^"]*)"', exported.read_text())
-    wanted += [w.split("::")[-1].rstrip(">") for w in ";".join(interface).split(";") if w]
+    wanted += re.findall(r"(?:\w+::)?(\w+)>?(?:;|$)", ";".join(interface))
     for name in wanted:
         file = pathlib.Path(output("c++", f"-print-file-name=lib{name}.so").strip()).resolve()
         if not file.is_absolute() or not file.exists():

@@ -10,7 +10,7 @@ root=$(cd "$here/../.." && pwd)
 build=$(cd "$1" && pwd)
 work=$build/packages-test
 deb=$work/deb
-tree="$work/a user's folder/toothseg"
+tree="$work/a folder of a user/toothseg"
 export LC_ALL=C
 rm -rf "$work"
 mkdir -p "$work"
@@ -20,9 +20,13 @@ passed=0 failed=0
 
 # check NAME COMMAND...: one line; what the command said only if it failed.
 check() {
-  local name=$1 log=$work/log.txt
+  local name=$1 log=$work/log.txt status
   shift
-  if (set -e; "$@") >"$log" 2>&1; then
+  set +e  # in a condition, bash would go on after a command that fails
+  (set -e; "$@") >"$log" 2>&1
+  status=$?
+  set -e
+  if [ $status = 0 ]; then
     passed=$((passed + 1))
     echo "ok      $name"
   else
@@ -74,7 +78,7 @@ debian_metadata() {
   cd "$work/source"
   # Level 4: each symbol that is new, or gone, is a fault.
   dpkg-gensymbols -c4 -plibtoothseg0 -v0.1.0 -I"$work/control/DEBIAN/symbols" -P"$work/control" -O/dev/null
-  [[ $(dpkg-shlibdeps -O -S"$work/control" "$work/deb_build/c_toothseg") == *"libtoothseg0 (>= 0.1.0)"* ]] ||
+  [[ $(dpkg-shlibdeps -O -S"$work/control" "$work/deb_pc/c_shared") == *"libtoothseg0 (>= 0.1.0)"* ]] ||
     complain "a program that needs the library does not depend on it"
 }
 
@@ -113,29 +117,30 @@ by_cmake() {
   done
 }
 
-# pkg-config escapes spaces for a shell, hence the eval. A linker takes the shared library where both are, unless told.
+# pkg-config escapes spaces for a shell, hence the evals. A linker takes the shared library where both are, unless told.
 by_pkg_config() {
-  local out=$1 prefix=$2 libdir shared static
-  mkdir -p "$out"
+  local out=$1 prefix=$2 libdir flags shared static link language
   PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name toothseg.pc)")
   export PKG_CONFIG_PATH
-  libdir=$(pkg-config --variable=libdir toothseg)
+  libdir=${PKG_CONFIG_PATH%/pkgconfig}
+  flags="-O0 -Wall -Wextra -pedantic -Werror $(pkg-config --cflags toothseg)"
   shared=$(pkg-config --libs toothseg)
-  static=$(pkg-config --static --libs toothseg)
+  static=$(pkg-config --static --libs toothseg | sed 's/-ltoothseg/-ltoothseg_arch -l:libtoothseg.a/')
   [[ $(pkg-config --static --cflags toothseg) == *-DTS_STATIC* ]] || complain "--static does not define TS_STATIC"
-  local strict="-Wall -Wextra -pedantic -Werror"
-  eval "'$cc' -c -O0 -std=c99 $strict $(pkg-config --cflags toothseg) '$here/consumer/count_labels.c' -o \"\$out/c.o\""
-  eval "'$cxx' -c -O0 -std=c++17 $strict $(pkg-config --cflags toothseg) '$here/consumer/count_labels.cpp' -o \"\$out/cpp.o\""
+  mkdir -p "$out"
+  cd "$out"
+  eval "$cc -c -std=c99 $flags '$here/consumer/count_labels.c' -o c.o"
+  eval "$cxx -c -std=c++17 $flags '$here/consumer/count_labels.cpp' -o cpp.o"
   for language in c cpp; do
-    local link="$cxx"
+    link=$cxx
     [ $language = cpp ] || link=$cc
-    eval "'$link' \"\$out/$language.o\" -o \"\$out/${language}_shared\" $shared -ltoothseg_arch -lstdc++ -lm"
-    eval "'$link' \"\$out/$language.o\" -o \"\$out/${language}_static\" -ltoothseg_arch ${static//-ltoothseg/-l:libtoothseg.a}" \
-      || eval "'$link' \"\$out/$language.o\" -o \"\$out/${language}_static\" -L'$libdir' -ltoothseg_arch ${static//-ltoothseg/-l:libtoothseg.a}"
-    LD_LIBRARY_PATH=$libdir needs_the_shared "$out/${language}_shared" "$prefix"
-    needs_no_shared "$out/${language}_static"
-    LD_LIBRARY_PATH=$libdir says_the_same "$out/${language}_shared"
-    says_the_same "$out/${language}_static"
+    # The arch is in C++, so a program in C has to name the C++ library.
+    eval "$link $language.o -o ${language}_shared $shared -ltoothseg_arch -lstdc++ -lm"
+    eval "$link $language.o -o ${language}_static $static"
+    LD_LIBRARY_PATH=$libdir needs_the_shared "./${language}_shared" "$prefix"
+    needs_no_shared "./${language}_static"
+    LD_LIBRARY_PATH=$libdir says_the_same "./${language}_shared"
+    says_the_same "./${language}_static"
   done
 }
 

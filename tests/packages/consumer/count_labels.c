@@ -31,8 +31,8 @@ int main(void) {
   triangles = malloc(3 * sizeof *triangles * faces);
   labels = malloc(sizeof *labels * faces);
   if (!positions || !triangles || !labels) goto failed;
-  TRY(tsa_get_positions(arch, positions, vertices, NULL));
-  TRY(tsa_get_triangles(arch, triangles, faces, NULL));
+  TRY(tsa_get_positions(arch, positions, vertices, &vertices));
+  TRY(tsa_get_triangles(arch, triangles, faces, &faces));
 
   TRY(ts_context_create(NULL, &context));
   TRY(ts_mesh_input_init(&mesh, sizeof mesh));

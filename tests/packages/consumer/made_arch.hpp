@@ -22,8 +22,8 @@ struct MadeArch {
     need(tsa_get_triangles(arch, nullptr, 0, &faces));
     positions.resize(3 * std::size_t{vertices});
     triangles.resize(3 * std::size_t{faces});
-    need(tsa_get_positions(arch, positions.data(), vertices, nullptr));
-    need(tsa_get_triangles(arch, triangles.data(), faces, nullptr));
+    need(tsa_get_positions(arch, positions.data(), vertices, &vertices));
+    need(tsa_get_triangles(arch, triangles.data(), faces, &faces));
     tsa_destroy(arch);
   }
 
