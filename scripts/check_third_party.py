@@ -8,7 +8,9 @@ without its LGPL parts."""
 import argparse
 import collections
 import fnmatch
+import functools
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -31,11 +33,11 @@ def entries(table):
 def headers(build):
     """Object -> files outside of the project that it was compiled from, for what is shipped."""
     found, current = {}, None
+    real = functools.cache(os.path.realpath)  # few headers, in many objects
     for line in output("ninja", "-n", "-C", build, "-t", "deps").splitlines():
-        if line.startswith("    "):
-            path = pathlib.Path(line.strip())
-            if current is not None and path.is_absolute() and ROOT not in path.parents:
-                current.add(str(path.resolve()))
+        if line.startswith("    /"):
+            if current is not None and not line.startswith((f"    {ROOT}/", f"    {build}/")):
+                current.add(real(line.strip()))
         elif ": #deps" in line:
             name = line.split(":")[0]
             current = found.setdefault(name, set()) if name.startswith(SHIPPED) else None
@@ -68,18 +70,18 @@ def owners(paths):
     def twin(path):  # dpkg knows a file by its place before or after /lib became a link to /usr/lib
         return path[4:] if path.startswith("/usr/") else "/usr" + path
 
-    asked = [*paths, *map(twin, paths)]
-    answer = subprocess.run(["dpkg", "-S", *asked], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
-    found, owner, lost = {}, {}, []
-    for line in answer.stdout.splitlines():
-        packages, path = line.split(": ", 1)
-        found[path] = packages.split(",")[0].split(":")[0]
-    for path in paths:
-        package = found.get(path) or found.get(twin(path))
-        if package:
-            owner[path] = package
-        else:
-            lost.append(path)
+    owner, lost, left = {}, [], sorted(paths)
+    while left:  # dpkg -S is slow: asked once a package
+        answer = subprocess.run(["dpkg", "-S", left[0], twin(left[0])], text=True, stdout=subprocess.PIPE,
+                                stderr=subprocess.DEVNULL, check=False).stdout
+        if not answer:
+            lost.append(left.pop(0))
+            continue
+        package = re.split("[,:]", answer)[0]
+        multiarch = re.match("[^, ]+", answer).group().rstrip(":")
+        files = set(output("dpkg", "-L", multiarch).splitlines())
+        owner.update((path, package) for path in left if path in files or twin(path) in files)
+        left = [path for path in left if path not in owner]
     return owner, lost
 
 
@@ -93,7 +95,7 @@ def main():
     included, names = headers(build), linked(build)
     multiarch = output("c++", "-print-multiarch").strip()
     libraries = {f"/usr/lib/{multiarch}/{name}": name for name in names if not name.startswith("ld-")}
-    owner, lost = owners(sorted(set().union(*included.values()) | set(libraries)))
+    owner, lost = owners(set().union(*included.values()) | set(libraries))
     faults += [f"{path} belongs to no Debian package" for path in lost]
     shipped = collections.defaultdict(set)
     for path, package in owner.items():

@@ -1,10 +1,9 @@
 // Two copies of the library in one process, as where two plug-ins bring one each.
-//   two_copies local|namespace A.so B.so
+//   two_copies A.so B.so
 // Clicks in both, in turns and in two threads; the labels are those of one copy alone. SPDX-License-Identifier: Apache-2.0
 #include <dlfcn.h>
 
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -25,8 +24,8 @@ struct Copy {
 #define MEMBER(name) decltype(&::name) name = nullptr;
   FUNCTIONS(MEMBER)
 
-  Copy(const char *path, bool own_namespace) {
-    void *library = own_namespace ? dlmopen(LM_ID_NEWLM, path, RTLD_NOW | RTLD_LOCAL) : dlopen(path, RTLD_NOW | RTLD_LOCAL);
+  explicit Copy(const char *path) {
+    void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) throw std::runtime_error(dlerror());
 #define FIND(name)                                                   \
   name = reinterpret_cast<decltype(&::name)>(dlsym(library, #name)); \
@@ -134,10 +133,8 @@ static void run(const Copy &a, const Copy &b) {
 
 int main(int argc, char **argv) {
   try {
-    if (argc != 4) throw std::runtime_error("two_copies local|namespace A.so B.so");
-    const bool own_namespace = std::strcmp(argv[1], "namespace") == 0;
-    const Copy a(argv[2], own_namespace), b(argv[3], own_namespace);
-    run(a, b);
+    if (argc != 3) throw std::runtime_error("two_copies A.so B.so");
+    run(Copy(argv[1]), Copy(argv[2]));
     return 0;
   } catch (const std::exception &e) {
     return std::fprintf(stderr, "two_copies: %s\n", e.what()), 1;
