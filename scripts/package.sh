@@ -6,7 +6,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=${TS_PACKAGE_BUILD:-$root/build/release}
-[ -f "$build/src/api/libtoothseg.a" ] && [ -f "$build/CPackConfig.cmake" ] ||
+[[ -f $build/src/api/libtoothseg.a && -f $build/CPackConfig.cmake ]] ||
   { echo "package.sh: $build is no finished build: cmake --preset demo && cmake --build --preset demo" >&2; exit 1; }
 build=$(cd "$build" && pwd)
 out=${1:-$build/packages}

@@ -1,5 +1,5 @@
-// A host with an OpenMesh of its own, in one program with toothseg: it keeps the scan in OpenMesh, hands it over, and keeps the
-// labels as a property. SPDX-License-Identifier: Apache-2.0
+// A host with an OpenMesh of its own, in one program with toothseg: it keeps the scan in OpenMesh, hands it over, and
+// keeps the labels as a property. SPDX-License-Identifier: Apache-2.0
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdio>
 #include <exception>
@@ -21,7 +21,8 @@ int main() {
       mesh.add_vertex({arch.positions[i], arch.positions[i + 1], arch.positions[i + 2]});
     for (std::size_t i = 0; i < arch.triangles.size(); i += 3) {
       const auto corner = [&](std::size_t k) { return mesh.vertex_handle(arch.triangles[i + k]); };
-      if (!mesh.add_face(corner(0), corner(1), corner(2)).is_valid()) throw std::runtime_error("OpenMesh refuses a face");
+      if (!mesh.add_face(corner(0), corner(1), corner(2)).is_valid())
+        throw std::runtime_error("OpenMesh refuses a face");
     }
 
     std::vector<double> positions;

@@ -50,10 +50,14 @@ as_root() {
 }
 below() { as_root dpkg --root="$deb" --force-not-root --force-script-chrootless --log=/dev/null "$@"; }
 
-# dpkg's own installation, below another root. It starts with what is installed here, so that Depends is asked of that.
+# dpkg's own installation, below another root. It starts with what is installed here, so that Depends is asked of that; where
+# nothing is, dpkg refuses.
 install_debs() {
   mkdir -p "$deb/var/lib/dpkg/"{info,updates,triggers}
-  cp /var/lib/dpkg/status /var/lib/dpkg/arch "$deb/var/lib/dpkg/" 2>/dev/null || cp /var/lib/dpkg/status "$deb/var/lib/dpkg/"
+  touch "$deb/var/lib/dpkg/status"
+  if below -i "$work"/out/*.deb >"$work/refused.txt" 2>&1; then complain "installed without what they depend on"; fi
+  grep -q 'libtoothseg0 depends on libtbb12' "$work/refused.txt"
+  cp /var/lib/dpkg/status "$deb/var/lib/dpkg/status"
   below -i "$work"/out/*.deb
   [ "$(find "$deb" -name 'libtoothseg.so.0' | wc -l)" = 1 ] || complain "no library"
 }
@@ -147,9 +151,11 @@ by_pkg_config() {
 # ----------------------------------------------------------------------------------------------------------------- hosts
 
 no_openmesh_inside() {
-  [ -z "$(nm -C "$tree"/lib/libtoothseg.a "$tree"/lib/libtoothseg_arch.a | grep OpenMesh)" ] || complain "in the static library"
-  [ -z "$(nm -D "$tree/lib/libtoothseg.so" | grep OpenMesh)" ] || complain "in the shared library"
-  [[ $(objdump -p "$tree/lib/libtoothseg.so") != *OpenMesh* ]] || complain "the shared library needs it"
+  nm -C "$tree/lib/libtoothseg.a" "$tree/lib/libtoothseg_arch.a" >"$work/symbols.txt"
+  nm -C -D "$tree/lib/libtoothseg.so" >>"$work/symbols.txt"
+  objdump -p "$tree/lib/libtoothseg.so" >>"$work/symbols.txt"
+  grep -q ts_segment_click "$work/symbols.txt"
+  if grep OpenMesh "$work/symbols.txt"; then complain "is OpenMesh's"; fi
 }
 
 own_openmesh() {

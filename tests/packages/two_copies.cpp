@@ -1,24 +1,26 @@
 // Two copies of the library in one process, as where two plug-ins bring one each.
 //   two_copies A.so B.so
-// Clicks in both, in turns and in two threads; the labels are those of one copy alone. SPDX-License-Identifier: Apache-2.0
+// Clicks in both, in turns and in two threads; the labels are those of one copy alone. SPDX-License-Identifier:
+// Apache-2.0
 #include <dlfcn.h>
+#include <toothseg.h>
 
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <toothseg.h>
 #include <vector>
 
 #include "consumer/made_arch.hpp"
 #include "consumer/summary.h"
 
 // The functions that are used, of one copy.
-#define FUNCTIONS(DO)                                                                                                 \
-  DO(ts_context_create) DO(ts_mesh_input_init) DO(ts_model_create) DO(ts_detect_features) DO(ts_segmentation_create)   \
-  DO(ts_propose_clicks) DO(ts_segment_click) DO(ts_get_labels) DO(ts_last_error_message) DO(ts_segmentation_destroy)   \
-  DO(ts_features_destroy) DO(ts_model_destroy) DO(ts_context_destroy)
+#define FUNCTIONS(DO)                                                                                                \
+  DO(ts_context_create)                                                                                              \
+  DO(ts_mesh_input_init) DO(ts_model_create) DO(ts_detect_features) DO(ts_segmentation_create) DO(ts_propose_clicks) \
+      DO(ts_segment_click) DO(ts_get_labels) DO(ts_last_error_message) DO(ts_segmentation_destroy)                   \
+          DO(ts_features_destroy) DO(ts_model_destroy) DO(ts_context_destroy)
 
 struct Copy {
 #define MEMBER(name) decltype(&::name) name = nullptr;
@@ -37,7 +39,8 @@ struct Copy {
 // One scan in one copy.
 class Scan {
  public:
-  Scan(const Copy &copy, const MadeArch &arch) : ts(copy), faces(static_cast<std::uint32_t>(arch.triangles.size() / 3)) {
+  Scan(const Copy &copy, const MadeArch &arch)
+      : ts(copy), faces(static_cast<std::uint32_t>(arch.triangles.size() / 3)) {
     need(ts.ts_context_create(nullptr, &context));
     ts_mesh_input mesh;
     need(ts.ts_mesh_input_init(&mesh, sizeof mesh));

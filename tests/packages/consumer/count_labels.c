@@ -1,5 +1,5 @@
-/* Separates the first tooth that the library proposes on a made arch, and prints how many labels there are and a checksum of
- * them. SPDX-License-Identifier: Apache-2.0 */
+/* Separates the first tooth that the library proposes on a made arch, and prints how many labels there are and a
+ * checksum of them. SPDX-License-Identifier: Apache-2.0 */
 #include <stdio.h>
 #include <stdlib.h>
 #include <toothseg.h>

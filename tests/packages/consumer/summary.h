@@ -4,7 +4,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* The number of different labels below 64 (of an arch: the gingiva and at most 16 teeth), and FNV-1a over all of them. */
+/* The number of different labels below 64 (of an arch: the gingiva and at most 16 teeth), and FNV-1a over all of them.
+ */
 static void print_summary(const uint32_t *labels, uint32_t faces) {
   uint64_t seen = 0, hash = 14695981039346656037u;
   uint32_t i, count = 0;
