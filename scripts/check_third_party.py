@@ -26,7 +26,8 @@ def output(*command):
 
 
 def entries(table):
-    rows = [re.split(r" *\| *", line.strip().strip("|").strip()) for line in table.read_text().splitlines() if line.startswith("|")]
+    lines = [line for line in table.read_text().splitlines() if line.startswith("|")]
+    rows = [re.split(r" *\| *", line.strip("| ")) for line in lines]
     return [Entry(r[0], r[1], r[3], re.findall(r"`([^`]+)`", r[4])) for r in rows[2:]]
 
 
@@ -47,7 +48,7 @@ def headers(build):
 
 
 def linked(build):
-    """File names of the libraries that the shared library needs, and of those that a program with the static one is linked with."""
+    """File names of the libraries that the shared one needs, and of those that a program with the static one is linked with."""
     library = build / "src/api/libtoothseg.so"
     names = re.findall(r"NEEDED +(\S+)", output("objdump", "-p", library))
     pc = (build / "toothsegTargets/toothseg.pc").read_text()

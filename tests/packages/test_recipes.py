@@ -7,13 +7,13 @@ import collections
 import importlib.util
 import json
 import pathlib
-import py_compile
 import re
 import shutil
 import subprocess
 import sys
 import types
 
+sys.dont_write_bytecode = True  # the recipes lie in the source tree
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PORT = ROOT / "packaging/vcpkg/toothseg"
 CONAN = ROOT / "packaging/conan"
@@ -83,26 +83,27 @@ endfunction()
 """
 
 
-def port(build, werror, objects):
-    work = build / "packages-test/vcpkg"
+def port(build, werror, objects, linkage):
+    work = build / f"packages-test/vcpkg_{linkage}"
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     packages = work / "packages"
     sets = {"WORK": work, "BUILD": build, "WERROR": werror, "OBJECTS": ";".join(objects), "PORT": "toothseg",
-            "CURRENT_PACKAGES_DIR": packages, "VCPKG_LIBRARY_LINKAGE": "static"}
+            "CURRENT_PACKAGES_DIR": packages, "VCPKG_LIBRARY_LINKAGE": linkage}
     text = "".join(f'set({k} "{v}")\n' for k, v in sets.items()) + STAND_INS + f'include("{PORT}/portfile.cmake")\n'
     (work / "run.cmake").write_text(text)
     said = run("cmake", "-P", work / "run.cmake")
     again = [line for line in re.findall(r"Building .*", said) if "field/dense_" not in line]  # those sources are generated
     assert not again, f"compiled again: {again}"
     have = {str(p.relative_to(packages)) for p in packages.rglob("*") if p.is_file()}
-    for file in ("lib/libtoothseg.a", "lib/libtoothseg_arch.a", "include/toothseg.h", "include/toothseg.hpp",
+    library, other = ("lib/libtoothseg.a", "lib/libtoothseg.so")[::1 if linkage == "static" else -1]
+    for file in (library, "lib/libtoothseg_arch.a", "include/toothseg.h", "include/toothseg.hpp",
                  "include/toothseg/base.hpp", "share/toothseg/toothsegConfig.cmake", "share/toothseg/usage",
                  "share/toothseg/LICENSE", "share/toothseg/THIRD_PARTY.md", "lib/pkgconfig/toothseg.pc"):
         assert file in have, f"no {file}"
-    assert not any(".so" in f or f.startswith("share/doc") for f in have), have
+    assert other not in have and not any(f.startswith("share/doc") for f in have), have
 
-    # The static library alone, by its plain name.
+    # One library alone, by its plain name.
     consumer = work / "consumer"
     consumer.mkdir()
     (consumer / "CMakeLists.txt").write_text(
@@ -150,7 +151,9 @@ def stand_in_for_conan(toolchains, copied):
         sys.modules[name] = types.ModuleType(name)
         vars(sys.modules[name]).update(members)
 
-    generates = lambda _recipe: types.SimpleNamespace(generate=lambda: None)
+    def generates(_recipe):
+        return types.SimpleNamespace(generate=lambda: None)
+
     module("conan", ConanFile=Recipe)
     module("conan.errors", ConanInvalidConfiguration=type("Invalid", (Exception,), {}))
     module("conan.tools")
@@ -160,7 +163,6 @@ def stand_in_for_conan(toolchains, copied):
 
 
 def load(path):
-    py_compile.compile(str(path), doraise=True)
     spec = importlib.util.spec_from_file_location(path.parent.name, path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -200,7 +202,8 @@ def main():
     conan(version, options, wanted)
     werror = re.search(r"^TOOTHSEG_WERROR:BOOL=(\w+)", (build / "CMakeCache.txt").read_text(), re.M).group(1)
     objects = [str(p.relative_to(build)) for folder in ("src", "synth") for p in (build / folder).rglob("*.o")]
-    port(build, werror, objects)
+    for linkage in ("static", "dynamic"):
+        port(build, werror, objects, linkage)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""test_third_party.py BUILD: scripts/check_third_party.py finds what is wrong: entries that are left out, one that nothing uses, one
-under another licence, one that denies that it reaches the library, and a build without EIGEN_MPL2_ONLY."""
+"""test_third_party.py BUILD: scripts/check_third_party.py finds what is wrong: entries that are left out, one that nothing uses,
+one under another licence, one that denies that it reaches the library, and a build without EIGEN_MPL2_ONLY."""
 import pathlib
 import subprocess
 import sys
@@ -32,7 +32,8 @@ def main():
                "GCC's runtime": "libstdc++6", "glibc": "libc6", "doctest": "doctest-dev"}
     found = faults(build, [line for line in lines if not line.startswith(tuple(f"| {name}" for name in missing))], work)
     for package in missing.values():
-        expect(found, f" {package} reaches the library" if package != "doctest-dev" else "installs doctest-dev, and it has no entry")
+        said = "installs {}, and it has no entry" if package == "doctest-dev" else " {} reaches the library"
+        expect(found, said.format(package))
 
     wrong = [line.replace("| MIT | reads", "| GPL-3.0+ | reads").replace("linked (shared) | `libc6`", "no | `libc6`")
              for line in lines]

@@ -16,11 +16,12 @@
 #include "consumer/summary.h"
 
 // The functions that are used, of one copy.
-#define FUNCTIONS(DO)                                                                                                \
-  DO(ts_context_create)                                                                                              \
-  DO(ts_mesh_input_init) DO(ts_model_create) DO(ts_detect_features) DO(ts_segmentation_create) DO(ts_propose_clicks) \
-      DO(ts_segment_click) DO(ts_get_labels) DO(ts_last_error_message) DO(ts_segmentation_destroy)                   \
-          DO(ts_features_destroy) DO(ts_model_destroy) DO(ts_context_destroy)
+// clang-format off
+#define FUNCTIONS(DO) \
+  DO(ts_context_create) DO(ts_mesh_input_init) DO(ts_model_create) DO(ts_detect_features) DO(ts_segmentation_create) \
+  DO(ts_propose_clicks) DO(ts_segment_click) DO(ts_get_labels) DO(ts_last_error_message) DO(ts_segmentation_destroy) \
+  DO(ts_features_destroy) DO(ts_model_destroy) DO(ts_context_destroy)
+// clang-format on
 
 struct Copy {
 #define MEMBER(name) decltype(&::name) name = nullptr;
