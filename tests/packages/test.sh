@@ -67,21 +67,23 @@ remove_debs() {
   [ -z "$(find "$deb/usr" -name '*toothseg*')" ] || complain "left behind: $(find "$deb/usr" -name '*toothseg*')"
 }
 
-# Debian's tools see a program that needs the library, and the library itself, as they should: Depends, symbols, copyright.
+# Debian's tools see the library, and a program that needs it, as they should.
 debian_metadata() {
-  local runtime dev
+  local runtime dev version library
   runtime=$(ls "$work"/out/libtoothseg0_*.deb) dev=$(ls "$work"/out/libtoothseg-dev_*.deb)
+  version=$(dpkg-deb -f "$runtime" Version)
   dpkg-deb -R "$runtime" "$work/control"
-  for library in libc6 libgcc-s1 'libstdc++6' libtbb12; do
+  for library in libc6 libgcc-s1 libstdc++6 libtbb12; do
     [[ $(dpkg-deb -f "$runtime" Depends) == *"$library (>= "* ]] || complain "Depends lacks $library"
   done
-  [[ $(dpkg-deb -f "$dev" Depends) == "libtoothseg0 (= $(dpkg-deb -f "$runtime" Version)), "* ]] || complain "Depends of -dev"
+  [[ $(dpkg-deb -f "$dev" Depends) == "libtoothseg0 (= $version), "* ]] || complain "Depends of -dev"
+  grep -q MPL-2.0 "$work/control/usr/share/doc/libtoothseg0/copyright"
   [ ! -e "$work/control/DEBIAN/postinst" ] || complain "a script where a trigger does"
   mkdir -p "$work/source/debian"
   printf 'Source: toothseg\n\nPackage: libtoothseg0\nArchitecture: any\n' >"$work/source/debian/control"
   cd "$work/source"
   # Level 4: each symbol that is new, or gone, is a fault.
-  dpkg-gensymbols -c4 -plibtoothseg0 -v0.1.0 -I"$work/control/DEBIAN/symbols" -P"$work/control" -O/dev/null
+  dpkg-gensymbols -c4 -plibtoothseg0 -v"${version%-*}" -I"$work/control/DEBIAN/symbols" -P"$work/control" -O/dev/null
   [[ $(dpkg-shlibdeps -O -S"$work/control" "$work/deb_pc/c_shared") == *"libtoothseg0 (>= 0.1.0)"* ]] ||
     complain "a program that needs the library does not depend on it"
 }
