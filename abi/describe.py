@@ -4,6 +4,7 @@
     describe.py                 write abi/toothseg.json
     describe.py --check         fail if that is not what the header says
     describe.py --header H -o F another header, another file ("-": standard output)
+    describe.py --bare          without documentation, as releases are kept
 """
 import argparse
 import json
@@ -201,16 +202,38 @@ def describe(header):
             "structs": list(structs.values()), "functions": functions}
 
 
+def without_docs(data):
+    if isinstance(data, list):
+        return [without_docs(d) for d in data]
+    if isinstance(data, dict):
+        return {name: without_docs(d) for name, d in data.items() if name != "doc"}
+    return data
+
+
+def bare(data):
+    """Without documentation, and an item of a list a line."""
+    lines = []
+    for name, value in without_docs(data).items():
+        if isinstance(value, list):
+            value = "[\n  " + ",\n  ".join(json.dumps(item) for item in value) + "\n ]"
+        else:
+            value = json.dumps(value)
+        lines.append(f' {json.dumps(name)}: {value}')
+    return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--header", default=os.path.join(ROOT, "include", "toothseg.h"))
     parser.add_argument("-o", "--output", default=os.path.join(ROOT, "abi", "toothseg.json"))
     parser.add_argument("--check", action="store_true")
+    parser.add_argument("--bare", action="store_true")
     o = parser.parse_args()
     try:
-        text = json.dumps(describe(o.header), indent=1, ensure_ascii=False) + "\n"
+        data = describe(o.header)
     except Problem as e:
         sys.exit(f"describe.py: {e}")
+    text = bare(data) if o.bare else json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     if o.output == "-":
         sys.stdout.write(text)
         return

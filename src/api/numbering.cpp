@@ -18,7 +18,7 @@ ts_jaw public_jaw(Jaw jaw) {
   return jaw == Jaw::upper ? TS_JAW_UPPER : TS_JAW_LOWER;
 }
 
-ts_number_options public_options(const NumberOptions &o) {
+ts_number_options public_number_options(const NumberOptions &o) {
   ts_number_options p{};
   p.struct_size = sizeof p;
   p.jaw = o.jaw ? public_jaw(*o.jaw) : TS_JAW_UNKNOWN;
@@ -27,7 +27,7 @@ ts_number_options public_options(const NumberOptions &o) {
   return p;
 }
 
-NumberOptions inner_options(const ts_number_options &o) {
+NumberOptions inner_number_options(const ts_number_options &o) {
   NumberOptions n;
   if (o.jaw != TS_JAW_UNKNOWN && o.jaw != TS_JAW_UPPER && o.jaw != TS_JAW_LOWER)
     throw Error(Fault::invalid_argument, "jaw is " + std::to_string(o.jaw));
@@ -93,7 +93,7 @@ Numbers numbers_after(const Prepared &p, const tooth::Session &session, const Co
 ts_status ts_number_options_init(ts_number_options *options, uint32_t struct_size) {
   return guarded(__func__, [&] {
     need(options, "options");
-    write_struct(options, public_options({}), struct_size, "ts_number_options");
+    write_struct(options, public_number_options({}), struct_size, "ts_number_options");
   });
 }
 
@@ -102,7 +102,7 @@ ts_status ts_assign_numbers(ts_segmentation *segmentation, const ts_number_optio
     need(segmentation, "segmentation");
     Command command;
     command.act = Command::Act::assign_numbers;
-    command.numbering = inner_options(read_options(options, public_options({}), "ts_number_options"));
+    command.numbering = inner_number_options(read_options(options, public_number_options({}), "ts_number_options"));
     change(*segmentation, std::move(command));
   });
 }

@@ -6,7 +6,7 @@
 namespace ts::geometry {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kConcavityGrain = 4096;
 // Slivers would tie their ends together and cost most of the iterations.
 constexpr double kLeastCotangent = 0.01, kMostCotangent = 5;
 
@@ -26,14 +26,14 @@ double bend(const Surface &s, const Vec<Vec3> &position, const Vec<Vec3> &normal
 Vec<double> edge_concavity(const Surface &surface, const Vec<Vec3> &position, bool inside_out,
                            const Executor &executor) {
   Vec<Vec3> normal(surface.faces());  // twice the area long
-  executor.ranges(surface.faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(surface.faces(), kConcavityGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const auto &[a, b, c] = surface.triangle[f];
       normal[f] = (position[b] - position[a]).cross(position[c] - position[a]);
     }
   });
   Vec<double> edge(surface.edge.size(), 0);
-  executor.ranges(surface.twin.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(surface.twin.size(), kConcavityGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h)
       if (surface.twin[h] != mesh::none && h < surface.twin[h])
         edge[surface.edge_of[h]] = bend(surface, position, normal, static_cast<Index>(h), inside_out ? -1 : 1);
@@ -64,7 +64,7 @@ void compare(const Surface &surface, const Vec<Vec3> &smoothed, Concavity &c) {
 double noise_gauge(const Surface &surface, const Vec<Vec3> &normal, const Executor &executor) {
   const std::size_t n = surface.vertices();
   Vec<double> offset(n, 0), residual(n, 0);
-  executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(n, kConcavityGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const auto ring = surface.vertex_edges[v];
       if (ring.empty()) continue;
@@ -73,7 +73,7 @@ double noise_gauge(const Surface &surface, const Vec<Vec3> &normal, const Execut
       offset[v] = (surface.position[v] - mean / static_cast<double>(ring.size())).dot(normal[v]);
     }
   });
-  executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(n, kConcavityGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const auto ring = surface.vertex_edges[v];
       if (ring.empty()) continue;
@@ -92,7 +92,8 @@ double presmoothing(double gauge, double mean_edge) {
   // Noise of g edges of length e leaves about g e^2 / r^3 in curvature at a radius r: for the same remainder r grows as
   // e^(2/3). The line in g was chosen on scans with edges of .85.
   constexpr double kEdge = 0.85, kMost = 1.5;
-  return gauge < 0.06 ? 0 : std::min(kMost, std::min(1.0, 2 * (gauge - 0.06)) * std::cbrt(std::pow(mean_edge / kEdge, 2)));
+  return gauge < 0.06 ? 0
+                      : std::min(kMost, std::min(1.0, 2 * (gauge - 0.06)) * std::cbrt(std::pow(mean_edge / kEdge, 2)));
 }
 
 Concavity concavity(const Surface &surface, double normal_radius, bool inside_out, const Executor &executor) {

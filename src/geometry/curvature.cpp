@@ -7,7 +7,7 @@
 namespace ts::geometry {
 namespace {
 
-constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kCurvatureGrain = 2048;
 
 using Tensor = std::array<double, 6>;  // xx, xy, xz, yy, yz, zz
 
@@ -43,7 +43,7 @@ Vec3 times(const Tensor &m, const Vec3 &v) {
 Principal principal_curvatures(const Surface &surface, const Vec<Vec3> &position, const Vec<Vec3> &normal,
                                const Executor &executor) {
   Vec<Tensor> shape(surface.faces());
-  executor.ranges(surface.faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(surface.faces(), kCurvatureGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const auto &t = surface.triangle[f];
       shape[f] =
@@ -53,7 +53,7 @@ Principal principal_curvatures(const Surface &surface, const Vec<Vec3> &position
   Principal k;
   k.least.assign(surface.vertices(), 0);
   k.greatest.assign(surface.vertices(), 0);
-  executor.ranges(surface.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(surface.vertices(), kCurvatureGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       Tensor sum{};
       double area = 0;
@@ -75,7 +75,7 @@ Principal principal_curvatures(const Surface &surface, const Vec<Vec3> &position
 Vec<double> gaussian_curvature(const Surface &surface, const Executor &executor) {
   using std::numbers::pi;
   Vec<double> curvature(surface.vertices(), 0);
-  executor.ranges(surface.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(surface.vertices(), kCurvatureGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       double defect = surface.on_boundary[v] ? pi : 2 * pi;
       for (const Index f : surface.vertex_faces[v]) {
@@ -94,7 +94,7 @@ Vec<double> gaussian_curvature(const Surface &surface, const Executor &executor)
 Vec<std::uint8_t> concave_by_edges(const Surface &surface, const Vec<Vec3> &normal, double theta,
                                    const Executor &executor) {
   Vec<std::uint8_t> concave(surface.vertices(), 0);
-  executor.ranges(surface.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(surface.vertices(), kCurvatureGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
       for (const Index e : surface.vertex_edges[v]) {
         const Index w = surface.other_end(e, static_cast<Index>(v));

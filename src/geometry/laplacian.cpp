@@ -7,7 +7,7 @@
 namespace ts::geometry {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kLaplacianGrain = 4096;
 
 Vec3 safe_ratio(const Vec3 &a, const Vec3 &b) {
   Vec3 r;
@@ -22,7 +22,7 @@ Graph make_graph(const Surface &surface, const Vec<double> &edge_weight, const E
   g.start = surface.vertex_edges.start;
   g.neighbour.resize(surface.vertex_edges.item.size());
   g.weight.resize(g.neighbour.size());
-  executor.ranges(surface.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(surface.vertices(), kLaplacianGrain, [&](std::size_t begin, std::size_t end) {
     for (Index v = static_cast<Index>(begin); v < end; ++v)
       for (Index k = g.start[v]; k < g.start[v + 1]; ++k) {
         const Index e = surface.vertex_edges.item[k];
@@ -45,7 +45,7 @@ Vec<double> cotangent_weights(const Surface &surface, double least, const Execut
   };
   const auto clamped = [&](double w) { return std::isfinite(w) ? std::max(w, least) : least; };
   Vec<double> weight(surface.edge.size(), 0);
-  executor.ranges(surface.twin.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(surface.twin.size(), kLaplacianGrain, [&](std::size_t begin, std::size_t end) {
     for (Index h = static_cast<Index>(begin); h < end; ++h)
       if (const Index g = surface.twin[h]; g != mesh::none && h < g)
         weight[surface.edge_of[h]] = clamped(half_cotangent(h) + half_cotangent(g));
@@ -68,17 +68,17 @@ Vec<Vec3> smooth(const Surface &surface, const Graph &graph, double radius, cons
   const std::size_t n = surface.vertices();
   const double r2 = radius * radius;
   const auto vertices = [&](const auto &body) {
-    executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    executor.ranges(n, kLaplacianGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) body(i);
     });
   };
   // The sum of what `body` gives for each vertex.
-  Vec<Vec3> part((n + kGrain - 1) / kGrain);
+  Vec<Vec3> part((n + kLaplacianGrain - 1) / kLaplacianGrain);
   const auto total = [&](const auto &body) -> Vec3 {
-    executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    executor.ranges(n, kLaplacianGrain, [&](std::size_t begin, std::size_t end) {
       Vec3 sum = Vec3::Zero();
       for (std::size_t i = begin; i < end; ++i) sum += body(i);
-      part[begin / kGrain] = sum;
+      part[begin / kLaplacianGrain] = sum;
     });
     Vec3 sum = Vec3::Zero();
     for (const Vec3 &p : part) sum += p;

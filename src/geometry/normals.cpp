@@ -5,7 +5,7 @@
 namespace ts::geometry {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kNormalsGrain = 4096;
 
 Vec3 unit(const Vec3 &v) {
   const double length = v.norm();
@@ -21,7 +21,7 @@ Vec<Vec3> vertex_normals(const Surface &surface, NormalWeight weight, const Exec
 Vec<Vec3> vertex_normals(const Surface &surface, const Vec<Vec3> &position, NormalWeight weight,
                          const Executor &executor) {
   Vec<Vec3> twice(surface.faces());  // unit normal times twice the area
-  executor.ranges(surface.faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(surface.faces(), kNormalsGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const auto &t = surface.triangle[f];
       twice[f] = (position[t[1]] - position[t[0]]).cross(position[t[2]] - position[t[0]]);
@@ -36,7 +36,7 @@ Vec<Vec3> vertex_normals(const Surface &surface, const Vec<Vec3> &position, Norm
     return sine > 0 ? Vec3(twice[f] * (std::atan2(sine, a.dot(b)) / sine)) : Vec3(0, 0, 0);
   };
   Vec<Vec3> normal(surface.vertices());
-  executor.ranges(surface.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(surface.vertices(), kNormalsGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       Vec3 sum = Vec3::Zero();
       for (const Index f : surface.vertex_faces[v]) sum += share(f, static_cast<Index>(v));
@@ -50,7 +50,7 @@ Vec<Vec3> smoothed_normals(const Surface &surface, const Vec<Vec3> &normal, cons
                            const Executor &executor) {
   if (radius <= 0) return normal;
   Vec<Vec3> smoothed = smooth(surface, cotangent, radius, normal, executor);
-  executor.ranges(smoothed.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(smoothed.size(), kNormalsGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) smoothed[v] = unit(smoothed[v]);
   });
   return smoothed;

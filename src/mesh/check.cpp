@@ -6,29 +6,29 @@
 #include <mutex>
 
 #include "base/error.h"
+#include "mesh/file_size.h"
 
 namespace ts::mesh {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 15;
-constexpr std::size_t most_elements = std::size_t{1} << 30;
+constexpr std::size_t kCheckGrain = 1 << 15;
 constexpr double furthest = 1e9;                              // mm
 constexpr double least_diagonal = 9, largest_diagonal = 400;  // mm: an incisor's crown; a tray with both plaster bases
 
-std::string number(double x) {
+std::string shown(double x) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, 4).ptr};
 }
 
 std::string vertex_text(std::size_t v, const Vec3 &p) {
-  return "vertex " + std::to_string(v) + " (" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
+  return "vertex " + std::to_string(v) + " (" + shown(p.x()) + ", " + shown(p.y()) + ", " + shown(p.z()) + ")";
 }
 
 // The first i in [0, n) for which bad(i), n if none: the same for any number of threads.
 std::size_t first_bad(std::size_t n, const Executor &executor, const auto &bad) {
   std::size_t first = n;
   std::mutex guard;
-  executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(n, kCheckGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (bad(i)) {
         const std::lock_guard lock(guard);
@@ -54,7 +54,7 @@ void check_size(const RawMesh &raw, const Executor &executor) {
   const double inf = std::numeric_limits<double>::infinity();
   Vec3 low(inf, inf, inf), high = -low;
   std::mutex guard;
-  executor.ranges(raw.corner.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(raw.corner.size(), kCheckGrain, [&](std::size_t begin, std::size_t end) {
     Vec3 least(inf, inf, inf), most = -least;
     for (std::size_t c = begin; c < end; ++c) {
       const Vec3 &p = raw.position[raw.corner[c]];
@@ -73,8 +73,8 @@ void check_size(const RawMesh &raw, const Executor &executor) {
   for (const auto &[unit, name] : units)
     if (fits(in_millimetres(unit)))
       guess += (guess.empty() ? "; it would be plausible in " : " or ") + std::string(name) + " (" +
-               number(in_millimetres(unit) * diagonal) + " mm)";
-  throw Error(Fault::mesh_units, "the bounding box has a diagonal of " + number(diagonal) +
+               shown(in_millimetres(unit) * diagonal) + " mm)";
+  throw Error(Fault::mesh_units, "the bounding box has a diagonal of " + shown(diagonal) +
                                      ", but a scan in mm has 9 to 400" +
                                      (guess.empty() ? "; no unit known here makes it plausible" : guess));
 }

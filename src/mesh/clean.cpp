@@ -18,13 +18,13 @@ bool is_proper(std::span<const Vec3> position, const Triangle &t) {
   return u.cross(v).norm() > 1e-12 * longest;
 }
 
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kCleanGrain = 1 << 14;
 
 // Faces that are triangles as they are: what is to go is marked by a corner that is none, and then left out.
 void take_triangles(const RawMesh &raw, std::span<const Index> kept, CleanFaces &clean, const Executor &executor) {
   clean.triangle.resize(raw.faces());
   clean.source.resize(raw.faces());
-  executor.ranges(raw.faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(raw.faces(), kCleanGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const std::span<const Index> corners = raw.face(f);
       const Triangle t{kept[corners[0]], kept[corners[1]], kept[corners[2]]};
@@ -97,8 +97,8 @@ void gather(std::span<const Triangle> triangle, std::span<const Index> around, I
 
 bool any_duplicate(std::span<const Triangle> triangle, const Rows &around, const Executor &executor) {
   constexpr std::size_t few = 8;
-  Vec<std::uint8_t> found((around.size() + kGrain - 1) / kGrain, 0);
-  executor.ranges(around.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  Vec<std::uint8_t> found((around.size() + kCleanGrain - 1) / kCleanGrain, 0);
+  executor.ranges(around.size(), kCleanGrain, [&](std::size_t begin, std::size_t end) {
     Vec<Corners> corners;
     bool any = false;
     for (std::size_t v = begin; v < end; ++v) {
@@ -107,7 +107,7 @@ bool any_duplicate(std::span<const Triangle> triangle, const Rows &around, const
       for (std::size_t i = 1; i < corners.size(); ++i)
         for (std::size_t j = corners.size() > few ? i - 1 : 0; j < i; ++j) any |= corners[i].are(corners[j]);
     }
-    found[begin / kGrain] = any;
+    found[begin / kCleanGrain] = any;
   });
   return std::find(found.begin(), found.end(), 1) != found.end();
 }

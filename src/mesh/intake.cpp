@@ -10,7 +10,7 @@
 namespace ts::mesh {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kIntakeGrain = 1 << 14;
 
 // Numbers the vertices that have a triangle, in the caller's order, renames the triangles' corners accordingly, leaves
 // out the rows of the others, and gives the positions of those that stay.
@@ -26,12 +26,12 @@ Vec<Vec3> keep_used(const Vec<Vec3> &from, CleanFaces &clean, Vec<Index> &number
   start[size] = start.back();
   start.resize(size + std::size_t{1});
   Vec<Vec3> position(size);
-  executor.ranges(number.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(number.size(), kIntakeGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
       if (number[v] != none) position[number[v]] = from[v];
   });
   if (size < number.size())
-    executor.ranges(clean.triangle.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    executor.ranges(clean.triangle.size(), kIntakeGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t)
         for (Index &v : clean.triangle[t]) v = number[v];
     });

@@ -21,7 +21,7 @@ Index corner(const Text &text, std::string_view word, const RawMesh &raw) {
   return static_cast<Index>(i > 0 ? i - 1 : so_far + i);
 }
 
-void read_face(Text &text, RawMesh &raw) {
+void read_obj_face(Text &text, RawMesh &raw) {
   int corners = 0;
   for (std::string_view word = text.word_on_line(); !word.empty(); word = text.word_on_line(), ++corners)
     raw.corner.push_back(corner(text, word, raw));
@@ -41,7 +41,7 @@ RawMesh read_obj(std::span<const std::byte> file, Progress progress) {
     if (word == "v")
       read_vertex(text, raw);
     else if (word == "f")
-      read_face(text, raw);
+      read_obj_face(text, raw);
     // Not next_line: a statement may go on behind a backslash.
     while (!text.word_on_line().empty()) {
     }

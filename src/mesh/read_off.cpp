@@ -26,7 +26,7 @@ std::uint64_t count(Text &text, const char *what) {
   return static_cast<std::uint64_t>(n);
 }
 
-void read_face(Text &text, RawMesh &raw) {
+void read_off_face(Text &text, RawMesh &raw) {
   text.find_word();
   const long long corners = text.integer(text.word_on_line(), "a number of corners");
   if (corners < 0) text.fail(Fault::file_count, "a negative number of corners");
@@ -63,7 +63,7 @@ RawMesh read_off(std::span<const std::byte> file, Progress progress) {
   raw.face_start.push_back(0);
   for (std::size_t f = 0; f < faces; ++f) {
     if (f % 65536 == 0) progress(0.5 + 0.5 * static_cast<double>(f) / static_cast<double>(faces));
-    read_face(text, raw);
+    read_off_face(text, raw);
   }
   if (text.find_word()) text.fail(Fault::file_trailing, "text after the last face of the header");
   return raw;

@@ -10,12 +10,12 @@
 namespace ts::mesh {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::size_t kSurfaceGrain = 1 << 13;
 
 // visit(v) for each vertex, with a workspace of the range's own.
 template <class Space>
 void each_vertex(const Surface &s, const Executor &executor, const auto &visit) {
-  executor.ranges(s.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(s.vertices(), kSurfaceGrain, [&](std::size_t begin, std::size_t end) {
     Space space;
     for (Index v = static_cast<Index>(begin); v < end; ++v) visit(space, v);
   });
@@ -84,7 +84,7 @@ void number_edges(Surface &s, const Executor &executor) {
 void measure_faces(Surface &s, const Executor &executor) {
   s.face_area.resize(s.faces());
   s.face_normal.resize(s.faces());
-  executor.ranges(s.faces(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(s.faces(), kSurfaceGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const auto [a, b, c] = s.triangle[f];
       const Vec3 n = (s.position[b] - s.position[a]).cross(s.position[c] - s.position[a]);
@@ -94,7 +94,7 @@ void measure_faces(Surface &s, const Executor &executor) {
     }
   });
   s.vertex_area.resize(s.vertices());
-  executor.ranges(s.vertices(), kGrain, [&](std::size_t begin, std::size_t end) {
+  executor.ranges(s.vertices(), kSurfaceGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       double area = 0;
       for (const Index f : s.vertex_faces[v]) area += 2 * s.face_area[f] / 6;
@@ -111,7 +111,7 @@ void measure(Surface &s, const Executor &executor) {
   Vec<double> length(std::min(block, s.edge.size()));
   for (std::size_t first = 0; first < s.edge.size(); first += block) {
     const std::size_t n = std::min(block, s.edge.size() - first);
-    executor.ranges(n, kGrain, [&](std::size_t begin, std::size_t end) {
+    executor.ranges(n, kSurfaceGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) length[i] = s.edge_length(static_cast<Index>(first + i));
     });
     for (std::size_t i = 0; i < n; ++i) s.mean_edge += length[i];

@@ -22,9 +22,9 @@ bool pierces(const Vec3 &p, const Vec3 &q, const Vec3 &a, const Vec3 &b, const V
   return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
 }
 
-class Pairs {
+class TrianglePairs {
  public:
-  Pairs(std::span<const Vec3> position, std::span<const Triangle> triangle)
+  TrianglePairs(std::span<const Vec3> position, std::span<const Triangle> triangle)
       : position_(position), triangle_(triangle) {}
 
   bool cross(Index s, Index t) const {
@@ -95,7 +95,7 @@ Vec<std::array<Index, 2>> crossings(std::span<const Vec3> position, std::span<co
   std::sort(boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
     return std::pair{a.low[axis], a.triangle} < std::pair{b.low[axis], b.triangle};
   });
-  const Pairs pairs(position, triangle);
+  const TrianglePairs pairs(position, triangle);
   Vec<std::size_t> open;  // boxes that the sweep is in
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Box &b = boxes[i];

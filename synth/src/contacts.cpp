@@ -9,7 +9,7 @@ namespace {
 
 // How deep two crowns may share: the most that neighbours do in an arch without crowding.
 constexpr double kDeepest = 0.1;
-constexpr double kStep = 0.3;
+constexpr double kProbe = 0.3;
 constexpr int kRounds = 40;
 
 // How deep the point of both crowns that is deepest lies in the shallower, and the direction in plan out of the first
@@ -29,9 +29,9 @@ Overlap overlap(const PlacedTooth &a, const PlacedTooth &b) {
   Overlap found;
   Vec3 at{0, 0, 0};
   const double u = 0.6 * a.shape.md, v = 0.7 * a.shape.fl;
-  for (double z = 0; z <= a.shape.height; z += kStep)
-    for (double y = -v; y <= v; y += kStep)
-      for (double x = -u; x <= u; x += kStep) {
+  for (double z = 0; z <= a.shape.height; z += kProbe)
+    for (double y = -v; y <= v; y += kProbe)
+      for (double x = -u; x <= u; x += kProbe) {
         const Vec3 p = a.world(x, y, z);
         const double inB = depthIn(b, p);
         if (inB <= found.depth) continue;
@@ -41,7 +41,7 @@ Overlap overlap(const PlacedTooth &a, const PlacedTooth &b) {
   const auto rise = [&](Vec3 d) {
     return depthIn(b, at + d) - depthIn(b, at - d) - depthIn(a, at + d) + depthIn(a, at - d);
   };
-  const Vec3 out{rise({kStep, 0, 0}), rise({0, kStep, 0}), 0};
+  const Vec3 out{rise({kProbe, 0, 0}), rise({0, kProbe, 0}), 0};
   if (const double length = std::sqrt(dot(out, out)); length > 0) found.direction = (1 / length) * out;
   return found;
 }

@@ -16,11 +16,18 @@ typedef struct mesh {
 /* All exit the program where there is no memory or the generator fails: without them nothing can be tested. */
 mesh make_arch(uint32_t triangles);
 mesh make_crowded_arch(uint32_t triangles, double crowding, uint32_t seed); /* upper */
-mesh make_sphere(double radius, uint32_t rings); /* around the origin, closed */
-mesh make_plane(double side, uint32_t cells);    /* in z = 0, from the origin */
+mesh make_sphere(double radius, uint32_t rings);                            /* around the origin, closed */
+mesh make_plane(double side, uint32_t cells);                               /* in z = 0, from the origin */
 void free_mesh(mesh *m);
 
 ts_mesh_input input_of(const mesh *m);
+
+/* The triangles of a large scan: with AddressSanitizer, which is ten times as slow, of a smaller one. */
+#ifdef __SANITIZE_ADDRESS__
+enum { LARGE = 20000 };
+#else
+enum { LARGE = 60000 };
+#endif
 
 /* A scan on the way through the library as far as it is wanted. */
 typedef struct scan {
@@ -32,7 +39,7 @@ typedef struct scan {
 } scan;
 
 scan make_scan(uint32_t triangles, uint32_t threads); /* up to an unclicked segmentation, default options */
-scan scan_of(mesh arch, uint32_t threads);              /* the same; the mesh is its own from then on */
+scan scan_of(mesh arch, uint32_t threads);            /* the same; the mesh is its own from then on */
 void free_scan(scan *s);
 
 ts_context *make_context(uint32_t threads);

@@ -117,7 +117,7 @@ static void a_batch_of_ten_thousand(void) {
 }
 
 int main(void) {
-  s = make_scan(60000, 2);
+  s = make_scan(LARGE, 2);
   RUN(what_is_kept);
   RUN(less_memory_gives_the_same_bytes);
   RUN(too_little_is_refused);

@@ -1,4 +1,5 @@
-/* A segmentation as a session: corrections, division, union, locks, undo and redo. SPDX-License-Identifier: Apache-2.0 */
+/* A segmentation as a session: corrections, division, union, locks, undo and redo. SPDX-License-Identifier: Apache-2.0
+ */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -403,9 +404,12 @@ static void overlaps_are_told(void) {
       CHECK_STATUS(ts_get_tooth_faces(s.segmentation, tooth, list[k], faces[k], &faces[k]), TS_OK);
     }
     for (a = 0, b = 0; a < faces[0] && b < faces[1];) {
-      if (list[0][a] == list[1][b]) ++common, lost += labels[list[0][a]] != info_of(found[i].loser).label, ++a, ++b;
-      else if (list[0][a] < list[1][b]) ++a;
-      else ++b;
+      if (list[0][a] == list[1][b])
+        ++common, lost += labels[list[0][a]] != info_of(found[i].loser).label, ++a, ++b;
+      else if (list[0][a] < list[1][b])
+        ++a;
+      else
+        ++b;
     }
     CHECK(found[i].faces > 0 && found[i].faces <= common && found[i].area > 0);
     CHECK(lost >= found[i].faces);
@@ -487,7 +491,7 @@ static void random_sequences_there_and_back(void) {
 }
 
 int main(void) {
-  s = make_scan(60000, 2);
+  s = make_scan(LARGE, 2);
   RUN(all_teeth_in_one_step);
   RUN(undo_and_redo_give_the_same_bytes);
   RUN(a_limit_drops_the_oldest);

@@ -14,6 +14,13 @@ using namespace ts;
 
 namespace {
 
+// Five times as slow with AddressSanitizer: there one of each two arches, of both jaws.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kHalf = true;
+#else
+constexpr bool kHalf = false;
+#endif
+
 struct Arch {
   mesh::Surface surface;
   Vec<std::uint32_t> label;
@@ -81,6 +88,7 @@ TEST_CASE("synthetic arches, straight and mildly crowded") {
     for (const double crowding : {0.0, 0.35}) {
       CAPTURE(jaw);
       CAPTURE(crowding);
+      if (kHalf && (jaw == TSA_JAW_UPPER) != (crowding > 0)) continue;
       check(make(jaw, crowding, 2, {}, 0));
     }
 }
@@ -90,6 +98,7 @@ TEST_CASE("severely crowded: one tooth before the other, which no line across th
     for (const std::uint64_t seed : {4, 5}) {
       CAPTURE(jaw);
       CAPTURE(seed);
+      if (kHalf && (jaw == TSA_JAW_UPPER) != (seed == 4)) continue;
       check(make(jaw, 1, seed, {}, 0));
     }
 }
@@ -145,9 +154,11 @@ mesh::Surface both(const Arch &arch, const Arch &other, const Eigen::Matrix3d &t
 
 TEST_CASE("two arches in one file do not pass for one") {
   using features::Doubt;
+  const Arch made[] = {make(TSA_JAW_UPPER, 0.2, 6, {}, 0), make(TSA_JAW_LOWER, 0.2, 6, {}, 0)};
   for (const std::uint32_t jaw : {TSA_JAW_UPPER, TSA_JAW_LOWER}) {
     CAPTURE(jaw);
-    const Arch arch = make(jaw, 0.2, 6, {}, 0);
+    if (kHalf && jaw == TSA_JAW_LOWER) continue;
+    const Arch &arch = made[jaw == TSA_JAW_LOWER];
     mesh::Vec3 low = arch.surface.position[0], high = low;
     for (const mesh::Vec3 &p : arch.surface.position) low = low.cwiseMin(p), high = high.cwiseMax(p);
     const mesh::Vec3 size = high - low;
@@ -175,7 +186,7 @@ TEST_CASE("two arches in one file do not pass for one") {
     CHECK(said == Doubt::several_arches);
 
     // The very same arch on itself looks nowhere: no_teeth. Two jaws differ. (They may come to no_teeth later on.)
-    const Arch other = make(jaw == TSA_JAW_UPPER ? TSA_JAW_LOWER : TSA_JAW_UPPER, 0.2, 6, {}, 0);
+    const Arch &other = made[jaw == TSA_JAW_UPPER];
     double top = other.surface.position[0].z();
     for (const mesh::Vec3 &p : other.surface.position) top = std::max(top, p.z());
     const features::Looks biting = looks(both(arch, other, over, {low.x() + high.x(), 0, high.z() + top + 0.5}));

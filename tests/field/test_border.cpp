@@ -1,7 +1,9 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
 #include <cmath>
+#include <vector>
 
 #include "../geometry/forms.h"
 #include "base/error.h"
@@ -51,21 +53,28 @@ Vec<double> all_of(Solution solution, const mesh::Surface &s) {
 }
 
 // Eq. 3 with a row for each vertex; vertices of a node are one unknown.
-Vec<double> dense(const Problem &p, const Nodes &nodes, const Vec<double> &held, double alpha) {
+Vec<double> by_rows(const Problem &p, const Nodes &nodes, const Vec<double> &held, double alpha) {
   Vec<Index> unknown(p.surface.vertices());
   Index n = static_cast<Index>(nodes.size());
   for (Index v = 0; v < unknown.size(); ++v) unknown[v] = nodes.of_vertex[v] != mesh::none ? nodes.of_vertex[v] : n++;
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
+  std::vector<Eigen::Triplet<double>> entry;
+  const auto add = [&](Index i, Index j, double value) {
+    entry.emplace_back(static_cast<int>(i), static_cast<int>(j), value);
+  };
   Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
   for (Index e = 0; e < p.surface.edge.size(); ++e) {
     const Index i = unknown[p.surface.edge[e][0]], j = unknown[p.surface.edge[e][1]];
     if (i == j) continue;
-    a(i, i) += p.weight[e], a(j, j) += p.weight[e];
-    a(i, j) -= p.weight[e], a(j, i) -= p.weight[e];
+    add(i, i, p.weight[e]), add(j, j, p.weight[e]);
+    add(i, j, -p.weight[e]), add(j, i, -p.weight[e]);
   }
   for (Index k = 0; k < nodes.size(); ++k)
-    if (!std::isnan(held[k])) a(k, k) += alpha, b[k] = alpha * held[k];
-  const Eigen::VectorXd x = a.ldlt().solve(b);
+    if (!std::isnan(held[k])) add(k, k, alpha), b[k] = alpha * held[k];
+  Eigen::SparseMatrix<double> a(n, n);
+  a.setFromTriplets(entry.begin(), entry.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(a);
+  REQUIRE(factor.info() == Eigen::Success);
+  const Eigen::VectorXd x = factor.solve(b);
   Vec<double> u;
   for (const Index i : unknown) u.push_back(x[i]);
   return u;
@@ -98,7 +107,7 @@ void check(const Problem &p, const Vec<Vec<Index>> &added, std::size_t most_byte
       CHECK((at_nodes - wanted).cwiseAbs().maxCoeff() < 1e-6);
       const Vec<double> u = all_of(border.extend(at_nodes), p.surface);
       CHECK(worst(u, all.extend_to_all(wanted)) < 1e-6);
-      if (alpha > 0) CHECK(worst(u, dense(p, nodes, held, alpha)) < 1e-6);
+      if (alpha > 0) CHECK(worst(u, by_rows(p, nodes, held, alpha)) < 1e-6);
     }
   for (const Index v : {Index{0}, Index{333}, Index{700}, Index{1000}})
     CHECK((border.measure(v) - all.measure(v)).cwiseAbs().maxCoeff() < 1e-6);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -97,4 +98,12 @@ inline ArchMesh make(const tsa_options &options) {
   REQUIRE(tsa_get_features(arch, m.features.data(), n, &n) == TSA_OK);
   tsa_destroy(arch);
   return m;
+}
+
+// The arch of default options, made once however many cases look at it.
+inline const ArchMesh &plainArch(uint32_t jaw, uint32_t triangles) {
+  static std::map<std::pair<uint32_t, uint32_t>, std::unique_ptr<const ArchMesh>> made;
+  auto &arch = made[{jaw, triangles}];
+  if (!arch) arch = std::make_unique<const ArchMesh>(make(archOptions(jaw, triangles)));
+  return *arch;
 }

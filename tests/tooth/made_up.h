@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "../geometry/forms.h"
+#include "base/error.h"
+#include "base/executor.h"
 #include "features/features.h"
 #include "mesh/surface_point.h"
 
@@ -13,6 +15,17 @@ namespace made_up {
 using namespace ts;
 using mesh::Index;
 using mesh::Vec3;
+
+inline const Executor one(1);
+
+Fault fault_of(const auto &call) {
+  try {
+    call();
+  } catch (const Error &e) {
+    return e.fault();
+  }
+  return Fault::internal;  // no error
+}
 
 struct Row {
   mesh::Surface surface;

@@ -16,16 +16,6 @@ const Row &five() {
   static const Row r = row(5);
   return r;
 }
-const Executor one(1);
-
-Fault fault_of(const auto &call) {
-  try {
-    call();
-  } catch (const Error &e) {
-    return e.fault();
-  }
-  return Fault::internal;  // no error
-}
 
 bool same(const Tooth &a, const Tooth &b) {
   bool equal = a.group == b.group && a.faces == b.faces && a.vertices == b.vertices && a.seeds == b.seeds &&

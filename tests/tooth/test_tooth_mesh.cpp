@@ -21,8 +21,6 @@ using namespace made_up;
 
 namespace {
 
-const Executor one(1);
-
 std::vector<judge::Point> points_of(const PartMesh &m) {
   std::vector<judge::Point> points;
   for (const Vec3 &p : m.position) points.push_back({p.x(), p.y(), p.z()});

@@ -13,8 +13,6 @@ using namespace made_up;
 
 namespace {
 
-const Executor one(1);
-
 // A row with an arch curve through its middles, and where each tooth stands on it.
 Row on_an_arch(Index teeth) {
   Row r = row(teeth);
