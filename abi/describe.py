@@ -22,6 +22,12 @@ STANDARD = {
     "stdint.h": "".join(f"typedef __{s}INT{b}_TYPE__ {s.lower()}int{b}_t;\n" for s in ("U", "") for b in (8, 16, 32, 64)) +
     "#define UINT32_MAX 4294967295U\n",
 }
+# Arrays without the two-call idiom: `count` is an argument, `as_many` what another call tells.
+ARRAYS = {
+    ("ts_segment_clicks", "statuses"): {"count": "count"},
+    ("ts_get_contour_points", "starts"): {"as_many": "ts_contour_info.polylines"},
+    ("ts_get_contour_points", "closed"): {"as_many": "ts_contour_info.polylines"},
+}
 K, T = ci.CursorKind, ci.TypeKind
 
 
@@ -124,13 +130,17 @@ def describe_argument(a, names, at, function, structs):
                 a["array"] = {"count": following[0]}
     if kind == "void" and stars and following[:1] == ["size"]:
         a["array"] = {"count": "size"}
+    if (function, name) in ARRAYS:
+        a["array"] = ARRAYS[function, name]
     return a
 
 
 def thread_rule(function):
-    """Of the objects beside the job, which belongs to the call."""
-    handles = [a["type"] for a in function["arguments"]
-               if a["type"]["kind"] == "handle" and a["type"].get("pointer") == 1 and a["name"] != "job"]
+    """Of the objects beside the job, which belongs to the call, and the context, which things may be made from at once."""
+    if function["name"] in ("ts_job_reset", "ts_job_destroy", "ts_context_destroy"):
+        return "exclusive"
+    handles = [a["type"] for a in function["arguments"] if a["type"]["kind"] == "handle" and
+               a["type"].get("pointer") == 1 and a["type"]["base"] not in ("ts_job", "ts_context")]
     if not handles:
         return "any"
     return "concurrent" if all(t.get("const") for t in handles) else "exclusive"

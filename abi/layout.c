@@ -234,6 +234,8 @@ OFFSET(ts_mesh_input, triangles, 24);
 EXTENT(ts_mesh_input, triangles, 8);
 OFFSET(ts_mesh_input, triangle_count, 32);
 EXTENT(ts_mesh_input, triangle_count, 4);
+OFFSET(ts_mesh_input, reserved, 36);
+EXTENT(ts_mesh_input, reserved, 4);
 #elif defined(_WIN64)
 HOLDS(sizeof(ts_mesh_input) == 40);
 ALIGN(ts_mesh_input, 8);
@@ -251,8 +253,10 @@ OFFSET(ts_mesh_input, triangles, 24);
 EXTENT(ts_mesh_input, triangles, 8);
 OFFSET(ts_mesh_input, triangle_count, 32);
 EXTENT(ts_mesh_input, triangle_count, 4);
+OFFSET(ts_mesh_input, reserved, 36);
+EXTENT(ts_mesh_input, reserved, 4);
 #elif defined(__wasm32__)
-HOLDS(sizeof(ts_mesh_input) == 28);
+HOLDS(sizeof(ts_mesh_input) == 32);
 ALIGN(ts_mesh_input, 4);
 OFFSET(ts_mesh_input, struct_size, 0);
 EXTENT(ts_mesh_input, struct_size, 4);
@@ -268,6 +272,8 @@ OFFSET(ts_mesh_input, triangles, 20);
 EXTENT(ts_mesh_input, triangles, 4);
 OFFSET(ts_mesh_input, triangle_count, 24);
 EXTENT(ts_mesh_input, triangle_count, 4);
+OFFSET(ts_mesh_input, reserved, 28);
+EXTENT(ts_mesh_input, reserved, 4);
 #else
 #error "ts_mesh_input: its layout in this data model is not in toothseg.json"
 #endif
@@ -546,6 +552,8 @@ OFFSET(ts_tooth_info, confidence, 56);
 EXTENT(ts_tooth_info, confidence, 8);
 OFFSET(ts_tooth_info, warnings, 64);
 EXTENT(ts_tooth_info, warnings, 4);
+OFFSET(ts_tooth_info, reserved, 68);
+EXTENT(ts_tooth_info, reserved, 4);
 
 HOLDS(sizeof(ts_cut_info) == 48);
 ALIGN(ts_cut_info, 8);

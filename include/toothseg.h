@@ -21,8 +21,12 @@
  *                No exception, abort, or output to stdout or stderr crosses this interface.
  *   Threads      A function that takes a const handle may run at the same time as other such calls on the same
  *                object. One that takes a non-const handle needs that object to itself. Different objects are
- *                independent, also when they share a context or a model. ts_job_cancel may be called at any time
- *                from any thread.
+ *                independent, also when they share a context or a model. A context may be given to any number of
+ *                calls at once. ts_job_cancel and ts_job_progress may be called at any time from any thread.
+ *   Hooks        A context's hooks and their `user` pointers must live as long as anything made from it; a job's as
+ *                long as the job.
+ *   Floats       Called with the floating-point environment that C starts with: rounding to nearest, exceptions masked. Who
+ *                unmasks them (Pascal does) masks them around calls.
  *   Lifetime     A child keeps its parents alive (a segmentation its features and model, a model its context): handles
  *                may be destroyed in any order.
  *   Options      Structs that begin with struct_size are filled by their ..._init function, called with sizeof the
@@ -199,7 +203,8 @@ TS_API void ts_context_destroy(ts_context *context);
 typedef struct ts_job ts_job;
 
 /** Called during a long call, from a thread that works for it, one call at a time: `fraction` in [0, 1], never falling within
- *  one call; `stage` a short English name. Return 0 to go on, anything else to cancel. Must not call the library. */
+ *  one call; `stage` a short English name. Return 0 to go on, anything else to cancel: sticky, as ts_job_cancel is. Must not
+ *  call the library. */
 typedef int (*ts_progress_fn)(double fraction, const char *stage, void *user);
 
 /** Makes a job. `progress` may be NULL (then the job serves to cancel only). `out` owned by the caller.
@@ -261,6 +266,7 @@ typedef struct ts_mesh_input {
   uint32_t stride;           /**< bytes from one vertex to the next; 0 = packed (12 or 24) */
   const uint32_t *triangles; /**< 3 indices a face; NULL = soup: vertices 3i, 3i+1, 3i+2 are face i */
   uint32_t triangle_count;   /**< number of faces; for a soup vertex_count / 3 or 0 */
+  uint32_t reserved;         /**< 0 */
 } ts_mesh_input;
 
 /** How a mesh is taken in. */
@@ -559,8 +565,8 @@ TS_API void ts_segmentation_destroy(ts_segmentation *segmentation);
  *  one's tooth does not hold it either, the click makes a group of its own, held on a disc of seed_radius
  *  (TS_WARN_MADE_BY_CLICK). A click that succeeds gives the tooth that it lies on, or, on no other, within 1 mm of. A group
  *  made by a click belongs to the segmentation, not to the features: later clicks find it and have it as background; its id
- *  is the smallest larger than those of all groups of the features and of those made before it. TS_E_CLICK_ON_GINGIVA also where what could be
- *  cut out around the click is no tooth.
+ *  is the smallest larger than those of all groups of the features and of those made before it. TS_E_CLICK_ON_GINGIVA also
+ *  where what could be cut out around the click is no tooth.
  *
  *  `click` out, may be NULL: its number, counted from 0. Errors: TS_E_CLICK_*, TS_E_NO_CUT, TS_E_CANCELLED,
  *  TS_E_OUT_OF_MEMORY, usage. */
@@ -666,6 +672,7 @@ typedef struct ts_tooth_info {
   double gradient;     /**< mean of |grad u| along it, 1/mm */
   double confidence;   /**< 0 to 1 */
   uint32_t warnings;   /**< sum of ts_tooth_warning */
+  uint32_t reserved;   /**< 0 */
 } ts_tooth_info;
 
 /** What looks wrong about a tooth. */
@@ -856,7 +863,8 @@ TS_API TS_NODISCARD ts_status ts_get_changes(const ts_segmentation *segmentation
                                              uint32_t *count);
 
 /** Called on the thread of the call that changed something, after the change, with what ts_get_changes tells; `teeth` lives
- *  as long as the callback. It may read the segmentation, and must not change or destroy it. */
+ *  as long as the callback. It may read the segmentation and must not destroy it; calls that would change it are refused
+ *  (TS_E_INVALID_ARGUMENT). */
 typedef void (*ts_change_fn)(void *user, const uint32_t *teeth, uint32_t count);
 
 /** `callback` NULL: none. Errors: TS_E_NULL. */

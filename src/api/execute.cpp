@@ -117,14 +117,21 @@ void commit(ts_segmentation &s, Session next, Command command) {
 }
 
 void change(ts_segmentation &s, Command command, const Progress &progress) {
+  need_quiet(s);
   const AllocatorScope scope(s.prepared->context().allocator);
   Session next = execute(*s.prepared, s.session, command, progress);
   commit(s, std::move(next), std::move(command));
 }
 
-void tell(const ts_segmentation &s) {
-  if (s.listener.call && !s.changes.empty())
-    s.listener.call(s.listener.user, s.changes.data(), static_cast<uint32_t>(s.changes.size()));
+void tell(ts_segmentation &s) {
+  if (!s.listener.call || s.changes.empty()) return;
+  s.telling = true;
+  s.listener.call(s.listener.user, s.changes.data(), static_cast<uint32_t>(s.changes.size()));
+  s.telling = false;
+}
+
+void need_quiet(const ts_segmentation &s) {
+  if (s.telling) throw Error(Fault::invalid_argument, "the change callback must not change the segmentation");
 }
 
 }  // namespace ts::api

@@ -144,6 +144,7 @@ ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positio
   return guarded(__func__, [&] {
     need(segmentation, "segmentation");
     if (count) need(positions, "positions");
+    need_quiet(*segmentation);
     Command command;
     command.act = Command::Act::clicks;
     for (uint32_t i = 0; i < count; ++i) {

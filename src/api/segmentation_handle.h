@@ -81,6 +81,7 @@ struct ts_segmentation {
   ts::api::History history{};
   ts::Vec<uint32_t> changes{};  // ids, by the last call that changed something
   ts::api::Listener listener{};
+  bool telling = false;  // the listener is being called
 };
 
 namespace ts::api {
@@ -90,8 +91,8 @@ uint32_t id_of(const ts_segmentation &s, mesh::Index group);
 mesh::Index group_of(const ts_segmentation *s, uint32_t id);  // of a tooth that stands separated; throws not_found
 const tooth::Tooth &find_tooth(const ts_segmentation *s, uint32_t id);
 
-// What the command makes of the session. `outcomes`: of each click of a batch, nullptr where there are none. Clicks that
-// came to nothing are taken out of the command.
+// What the command makes of the session. `outcomes`: of each click of a batch, nullptr where there are none. Clicks
+// that came to nothing are taken out of the command.
 tooth::Session execute(const Prepared &prepared, const tooth::Session &session, Command &command,
                        const Progress &progress, Vec<tooth::Segmenter::Outcome> *outcomes = nullptr);
 
@@ -101,10 +102,12 @@ tooth::Numbers numbers_after(const Prepared &prepared, const tooth::Session &ses
 // Puts it in the place of the present one, remembers how it came and tells the listener. Strong: where it throws,
 // nothing has changed.
 void commit(ts_segmentation &s, tooth::Session next, Command command);
-void tell(const ts_segmentation &s);  // the listener, of `changes`
+void tell(ts_segmentation &s);              // the listener, of `changes`
+void need_quiet(const ts_segmentation &s);  // throws invalid_argument while the listener is being called
 void change(ts_segmentation &s, Command command, const Progress &progress = {});  // both, with the context's allocator
 
-// Edits of cuts that `before` had are made again where the tooth was cut anew; those that cannot be are told in the log.
+// Edits of cuts that `before` had are made again where the tooth was cut anew; those that cannot be are told in the
+// log.
 void edit_again(const Prepared &prepared, const tooth::Session &before, tooth::Session &next);
 // The tooth of an edit command, edited.
 void edit(const Prepared &prepared, tooth::Session &next, const Command &command, const Progress &progress);

@@ -24,6 +24,7 @@ Vec3 point_of(const double position[3], const char *name) {
 // To `there`, by `move`. What was worked out of clicks is that of others from then on.
 template <class Move>
 void travel(ts_segmentation *s, const tooth::Session &there, const Move &move) {
+  need_quiet(*s);
   const AllocatorScope scope(s->prepared->context().allocator);
   Vec<uint32_t> ids;
   for (const Index g : tooth::Session::changed(s->session, there)) ids.push_back(id_of(*s, g));

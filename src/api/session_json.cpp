@@ -1,8 +1,9 @@
 #include "api/session_json.h"
 
+#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "api/json.h"
 #include "base/error.h"
 
 namespace ts::api {
@@ -10,7 +11,6 @@ namespace {
 
 using mesh::Index;
 using mesh::Vec3;
-using nlohmann::json;
 using Set = features::FeatureSet;
 
 constexpr std::uint32_t kFormat = 1;
@@ -48,33 +48,38 @@ void each_option(Options &o, const Field &field) {
   field("memory_limit", o.memory_limit);
 }
 
-json to_json(const Vec3 &p) {
-  return {p.x(), p.y(), p.z()};
+Json to_json(const Vec3 &p) {
+  Json all = Json::array();
+  for (const double x : p) all.add(x);
+  return all;
 }
-json to_json(const Vec<Vec3> &points) {
-  json all = json::array();
-  for (const Vec3 &p : points) all.push_back(to_json(p));
+Json to_json(const Vec<Vec3> &points) {
+  Json all = Json::array();
+  for (const Vec3 &p : points) all.add(to_json(p));
   return all;
 }
 
-json to_json(const Set::State &s) {
-  json points = json::array(), groups = json::array();
-  for (const Set::Point &p : s.points)
-    points.push_back({{"id", p.id},
-                      {"group", p.group},
-                      {"vertex", p.vertex},
-                      {"position", to_json(p.position)},
-                      {"convexity", p.convexity},
-                      {"by_hand", p.by_hand}});
-  for (const Set::Group &g : s.groups)
-    groups.push_back({{"id", g.id}, {"from", g.from}, {"to", g.to}, {"confidence", g.confidence}});
-  return {{"occlusal", to_json(s.occlusal)},
-          {"arch", to_json(s.arch)},
-          {"inside_out", s.inside_out},
-          {"looks", {s.looks.opposed, s.looks.coverage, s.looks.length, s.looks.warnings}},
-          {"points", points},
-          {"groups", groups},
-          {"next", {s.next_point, s.next_group}}};
+Json to_json(const Set::State &s) {
+  Json points = Json::array(), groups = Json::array(), looks = Json::array(), next = Json::array();
+  for (const Set::Point &p : s.points) {
+    Json point = Json::object();
+    point.set("id", p.id).set("group", p.group).set("vertex", p.vertex).set("position", to_json(p.position));
+    point.set("convexity", p.convexity).set("by_hand", p.by_hand);
+    points.add(std::move(point));
+  }
+  for (const Set::Group &g : s.groups) {
+    Json group = Json::object();
+    group.set("id", g.id).set("from", g.from).set("to", g.to).set("confidence", g.confidence);
+    groups.add(std::move(group));
+  }
+  for (const double x : {s.looks.opposed, s.looks.coverage, s.looks.length}) looks.add(x);
+  looks.add(s.looks.warnings);
+  next.add(s.next_point), next.add(s.next_group);
+  Json all = Json::object();
+  all.set("occlusal", to_json(s.occlusal)).set("arch", to_json(s.arch)).set("inside_out", s.inside_out);
+  all.set("looks", std::move(looks)).set("points", std::move(points)).set("groups", std::move(groups));
+  all.set("next", std::move(next));
+  return all;
 }
 
 [[noreturn]] void wrong(const std::string &where, const std::string &why) {
@@ -84,47 +89,47 @@ json to_json(const Set::State &s) {
 // One place in the file, with its name for messages.
 class Place {
  public:
-  Place(const json &value, std::string name) : value_(&value), name_(std::move(name)) {}
+  Place(const Json &value, std::string name) : value_(&value), name_(std::move(name)) {}
 
   Place operator[](const char *key) const {
-    if (!value_->is_object() || !value_->contains(key)) wrong(name_, std::string("has no \"") + key + "\"");
-    return {(*value_)[key], name_.empty() ? key : name_ + "." + key};
+    const Json *const there = value_->find(key);
+    if (!there) wrong(name_, std::string("has no \"") + key + "\"");
+    return {*there, name_.empty() ? key : name_ + "." + key};
   }
-  bool has(const char *key) const { return value_->is_object() && value_->contains(key); }
+  bool has(const char *key) const { return value_->find(key) != nullptr; }
   template <class Each>
   void each(const Each &each) const {
-    if (!value_->is_array()) wrong(name_, "is no array");
-    for (std::size_t i = 0; i < value_->size(); ++i) each(Place((*value_)[i], name_ + "[" + std::to_string(i) + "]"));
+    if (value_->kind() != Json::Kind::array) wrong(name_, "is no array");
+    for (std::size_t i = 0; i < size(); ++i) each(Place(value_->items()[i], name_ + "[" + std::to_string(i) + "]"));
   }
-  std::size_t size() const { return value_->is_array() ? value_->size() : 0; }
+  std::size_t size() const { return value_->kind() == Json::Kind::array ? value_->items().size() : 0; }
 
   double number() const {
-    if (!value_->is_number()) wrong(name_, "is no number");
-    const double x = value_->get<double>();
-    if (!std::isfinite(x)) wrong(name_, "is not finite");
-    return x;
+    if (value_->kind() != Json::Kind::number && value_->kind() != Json::Kind::integer) wrong(name_, "is no number");
+    if (!std::isfinite(value_->number())) wrong(name_, "is not finite");
+    return value_->number();
   }
   std::uint64_t integer(std::uint64_t most) const {
-    if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() > most)
+    if (value_->kind() != Json::Kind::integer || value_->integer() > most)
       wrong(name_, "is no whole number up to " + std::to_string(most));
-    return value_->get<std::uint64_t>();
+    return value_->integer();
   }
   Index index(std::uint64_t below) const {
     if (below == 0) wrong(name_, "is a number where none can be");
     return static_cast<Index>(integer(below - 1));
   }
   bool boolean() const {
-    if (!value_->is_boolean()) wrong(name_, "is neither true nor false");
-    return value_->get<bool>();
+    if (value_->kind() != Json::Kind::boolean) wrong(name_, "is neither true nor false");
+    return value_->boolean();
   }
-  std::string text() const {
-    if (!value_->is_string()) wrong(name_, "is no text");
-    return value_->get<std::string>();
+  const std::string &text() const {
+    if (value_->kind() != Json::Kind::text) wrong(name_, "is no text");
+    return value_->text();
   }
   Vec3 point() const {
     if (size() != 3) wrong(name_, "is no point of three numbers");
     Vec3 p;
-    for (int k = 0; k < 3; ++k) p[k] = Place((*value_)[static_cast<std::size_t>(k)], name_).number();
+    for (int k = 0; k < 3; ++k) p[k] = Place(value_->items()[static_cast<std::size_t>(k)], name_).number();
     return p;
   }
   Vec<Vec3> points() const {
@@ -133,7 +138,7 @@ class Place {
     return all;
   }
   std::uint64_t hash() const {
-    const std::string digits = text();
+    const std::string &digits = text();
     if (digits.size() != 16 || digits.find_first_not_of("0123456789abcdef") != std::string::npos)
       wrong(name_, "is no hash of 16 hexadecimal digits");
     return std::stoull(digits, nullptr, 16);
@@ -141,7 +146,7 @@ class Place {
   const std::string &name() const { return name_; }
 
  private:
-  const json *value_;
+  const Json *value_;
   std::string name_;
 };
 
@@ -255,54 +260,44 @@ std::uint64_t hash_of(const tooth::Session &session) {
 }
 
 std::string to_json(const SavedSession &session, const mesh::Surface &surface) {
-  json options = json::object(), steps = json::array();
+  Json options = Json::object(), steps = Json::array();
   each_option(session.options, [&](const char *name, const auto &value) {
     using T = std::decay_t<decltype(value)>;
     if constexpr (std::is_enum_v<T>)
-      options[name] = static_cast<std::uint32_t>(value);
+      options.set(name, static_cast<std::uint32_t>(value));
     else
-      options[name] = value;
+      options.set(name, value);
   });
   for (const Command &c : session.commands) {
-    json step = {{"act", kActs[static_cast<std::size_t>(c.act)]}};
-    if (c.tooth != mesh::none) step["tooth"] = c.tooth;
-    if (c.other != mesh::none) step["other"] = c.other;
-    if (!c.at.empty()) step["at"] = to_json(c.at);
-    if (c.act == Command::Act::edit)
-      step["edit"] = {{"kind", static_cast<std::uint32_t>(c.edit.kind)},
-                      {"points", to_json(c.edit.points)},
-                      {"amount", c.edit.amount}};
-    if (c.act == Command::Act::set_number) step["number"] = c.number;
+    Json step = Json::object();
+    step.set("act", kActs[static_cast<std::size_t>(c.act)]);
+    if (c.tooth != mesh::none) step.set("tooth", c.tooth);
+    if (c.other != mesh::none) step.set("other", c.other);
+    if (!c.at.empty()) step.set("at", to_json(c.at));
+    if (c.act == Command::Act::edit) {
+      Json edit = Json::object();
+      edit.set("kind", static_cast<std::uint32_t>(c.edit.kind)).set("points", to_json(c.edit.points));
+      edit.set("amount", c.edit.amount);
+      step.set("edit", std::move(edit));
+    }
+    if (c.act == Command::Act::set_number) step.set("number", c.number);
     if (c.act == Command::Act::assign_numbers) {
       const tooth::NumberOptions &o = c.numbering;
-      step["jaw"] = !o.jaw ? "unknown" : *o.jaw == features::Jaw::upper ? "upper" : "lower";
-      step["mirrored"] = o.mirrored;
-      step["least_confidence"] = o.least_confidence;
+      step.set("jaw", !o.jaw ? "unknown" : *o.jaw == features::Jaw::upper ? "upper" : "lower");
+      step.set("mirrored", o.mirrored).set("least_confidence", o.least_confidence);
     }
-    steps.push_back(std::move(step));
+    steps.add(std::move(step));
   }
-  const json all = {{"toothseg_session", kFormat},
-                    {"mesh", hex(hash_of(surface))},
-                    {"options", options},
-                    {"features", to_json(session.features)},
-                    {"steps", steps},
-                    {"undone", session.undone},
-                    {"labels", hex(session.result_hash)}};
-  return all.dump(1);
+  Json all = Json::object();
+  all.set("toothseg_session", kFormat).set("mesh", hex(hash_of(surface))).set("options", std::move(options));
+  all.set("features", to_json(session.features)).set("steps", std::move(steps));
+  all.set("undone", std::uint64_t{session.undone}).set("labels", hex(session.result_hash));
+  return all.dump();
 }
 
 SavedSession from_json(std::string_view text, const mesh::Surface &surface) {
-  json all;
-  try {
-    all = json::parse(text);
-  } catch (const json::parse_error &e) {
-    if (e.byte >= text.size()) throw Error(Fault::file_truncated, "the session ends in the middle of its text");
-    throw Error(Fault::file_syntax, "no JSON at byte " + std::to_string(e.byte));
-  } catch (const json::exception &e) {
-    throw Error(Fault::file_syntax, e.what());
-  }
-  if (!all.is_object() || !all.contains("toothseg_session"))
-    throw Error(Fault::file_format, "JSON, but no session of toothseg");
+  const Json all = parse_json(text);
+  if (!all.find("toothseg_session")) throw Error(Fault::file_format, "JSON, but no session of toothseg");
   const Place file(all, "");
   const std::uint64_t format = file["toothseg_session"].integer(UINT32_MAX);
   if (format > kFormat)

@@ -2,22 +2,33 @@
 
 #include <cerrno>
 #include <cstddef>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <random>
+#include <new>
 
 #include "base/error.h"
+#include "base/output_file.h"
 
 namespace ts {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// What the system had no memory for is not the file's fault.
+void need_memory() {
+  if (errno == ENOMEM) throw std::bad_alloc();
+}
+
+}  // namespace
+
 Vec<std::byte> read_whole_file(const std::string &path) {
   const fs::path native(std::u8string(path.begin(), path.end()));
   std::error_code code;
   if (fs::is_directory(native, code)) throw Error(Fault::file_open, "'" + path + "' is a directory");
+  errno = 0;
   std::ifstream in(native, std::ios::binary);
+  if (!in) need_memory();
   if (!in) throw Error(Fault::file_open, "cannot open '" + path + "'");
   Vec<std::byte> bytes;
   std::size_t size = 0;
@@ -35,37 +46,21 @@ Vec<std::byte> read_whole_file(const std::string &path) {
 }
 
 void write_whole_file(const std::string &path, std::span<const char> bytes) {
-  const auto fail = [&](const std::string &why) { throw Error(Fault::file_write, "\"" + path + "\": " + why); };
   const fs::path to(std::u8string(path.begin(), path.end()));
   std::error_code error;
   // What is no file, a device or a pipe, is not replaced but written to.
   const fs::file_status status = fs::status(to, error);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
-    if (fs::is_directory(status)) fail("is a directory");
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+    errno = 0;
     std::ofstream out(to, std::ios::binary);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
-    if (!out) fail("cannot be written");
+    if (!out) need_memory();
+    if (!out) throw Error(Fault::file_write, "'" + path + "' cannot be written");
     return;
   }
-  fs::path beside = to;
-  beside += ".new-" + std::to_string(std::random_device()());
-  errno = 0;
-  {
-    std::ofstream out(beside, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
-    out.close();
-    if (!out) {
-      const std::string why = errno ? std::strerror(errno) : "cannot be written";
-      fs::remove(beside, error);
-      fail(why);
-    }
-  }
-  fs::rename(beside, to, error);
-  if (error) {
-    const std::string why = error.message();
-    fs::remove(beside, error);
-    fail(why);
-  }
+  OutputFile out(path);
+  out.write({bytes.data(), bytes.size()});
+  out.commit();
 }
 
 }  // namespace ts

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "mesh/output_file.h"
+#include "base/output_file.h"
 #include "mesh/write_glb.h"
 
 namespace ts::mesh {

@@ -266,8 +266,8 @@ void Relining::join_kept(Vec<cut::Polyline> &lines, const Vec<cut::CrossedEdge> 
   for (std::size_t k = 0; k < lines.size(); ++k) {
     cut::Polyline &line = lines[k];
     if (line.closed && begin[k].first != mesh::none) {
-      std::ranges::rotate(line.points, line.points.begin() + begin[k].second);
-      std::ranges::rotate(line.faces, line.faces.begin() + begin[k].second);
+      std::rotate(line.points.begin(), line.points.begin() + begin[k].second, line.points.end());
+      std::rotate(line.faces.begin(), line.faces.begin() + begin[k].second, line.faces.end());
     }
     line.length = 0;
     for (std::size_t i = 0; i < line.faces.size(); ++i)

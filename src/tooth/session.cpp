@@ -161,7 +161,7 @@ Vec<Index> Session::changed(const Session &before, const Session &after) {
   note(before, after);
   note(after, before);
   std::ranges::sort(groups);
-  groups.erase(std::ranges::unique(groups).begin(), groups.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
   return groups;
 }
 

@@ -365,6 +365,9 @@ static void listen(void *user, const uint32_t *changed, uint32_t n) {
   told_count = n;
   if (n <= 64) memcpy(told, changed, n * sizeof *told);
   CHECK_STATUS(ts_get_click_count(s.segmentation, &clicks), TS_OK); /* it may read */
+  CHECK_STATUS(ts_undo(s.segmentation), TS_E_INVALID_ARGUMENT);     /* and nothing else */
+  CHECK_STATUS(ts_segment_all(s.segmentation, NULL), TS_E_INVALID_ARGUMENT);
+  CHECK_STATUS(ts_segment_clicks(s.segmentation, NULL, 0, NULL, NULL), TS_E_INVALID_ARGUMENT);
 }
 
 static void a_listener_is_told_what_changed(void) {

@@ -95,7 +95,7 @@ pub const TS_E_NUMBER_TAKEN: ts_status = 702;
 pub const TS_E_NUMBER_ORDER: ts_status = 703;
 /// a rim cannot be closed without the mesh running through itself
 pub const TS_E_NOT_CLOSED: ts_status = 750;
-/// not a status: makes the enum 32 bits wide
+/// no value: makes the enum 32 bits wide
 pub const TS_STATUS_FORCE_INT: ts_status = 2147483647;
 /// The names and values of [`ts_status`].
 pub const TS_STATUS_VALUES: &[(&str, ts_status)] = &[
@@ -143,10 +143,15 @@ pub const TS_STATUS_VALUES: &[(&str, ts_status)] = &[
     ("TS_E_NOT_CLOSED", TS_E_NOT_CLOSED),
 ];
 
+/// How much a line of the log matters.
 pub type ts_log_level = u32;
+/// not used so far: a call that fails says so in its status
 pub const TS_LOG_ERROR: ts_log_level = 0;
+/// the call did its work, and something about it is odd
 pub const TS_LOG_WARNING: ts_log_level = 1;
+/// what was found and how long it took
 pub const TS_LOG_INFO: ts_log_level = 2;
+/// no value: makes the enum 32 bits wide
 pub const TS_LOG_FORCE_INT: ts_log_level = 2147483647;
 /// The names and values of [`ts_log_level`].
 pub const TS_LOG_LEVEL_VALUES: &[(&str, ts_log_level)] = &[
@@ -155,9 +160,13 @@ pub const TS_LOG_LEVEL_VALUES: &[(&str, ts_log_level)] = &[
     ("TS_LOG_INFO", TS_LOG_INFO),
 ];
 
+/// Type of the caller's coordinates.
 pub type ts_scalar = u32;
+/// float
 pub const TS_FLOAT32: ts_scalar = 0;
+/// double
 pub const TS_FLOAT64: ts_scalar = 1;
+/// no value: makes the enum 32 bits wide
 pub const TS_SCALAR_FORCE_INT: ts_scalar = 2147483647;
 /// The names and values of [`ts_scalar`].
 pub const TS_SCALAR_VALUES: &[(&str, ts_scalar)] = &[
@@ -167,11 +176,17 @@ pub const TS_SCALAR_VALUES: &[(&str, ts_scalar)] = &[
 
 /// Unit of the caller's coordinates. TS_UNIT_CHECKED_MM: mm, and TS_E_MESH_UNITS if the size of the mesh contradicts it (bounding box diagonal under 9 or over 400); the others convert without a check.
 pub type ts_unit = u32;
+/// mm, checked
 pub const TS_UNIT_CHECKED_MM: ts_unit = 0;
+/// mm, whatever the size
 pub const TS_UNIT_MM: ts_unit = 1;
+/// 10 mm
 pub const TS_UNIT_CM: ts_unit = 2;
+/// 1000 mm
 pub const TS_UNIT_M: ts_unit = 3;
+/// 25.4 mm
 pub const TS_UNIT_INCH: ts_unit = 4;
+/// no value: makes the enum 32 bits wide
 pub const TS_UNIT_FORCE_INT: ts_unit = 2147483647;
 /// The names and values of [`ts_unit`].
 pub const TS_UNIT_VALUES: &[(&str, ts_unit)] = &[
@@ -182,13 +197,19 @@ pub const TS_UNIT_VALUES: &[(&str, ts_unit)] = &[
     ("TS_UNIT_INCH", TS_UNIT_INCH),
 ];
 
+/// Formats that are read.
 pub type ts_file_format = u32;
 /// told from the content, not from the name
 pub const TS_FORMAT_AUTO: ts_file_format = 0;
+/// binary or ASCII
 pub const TS_FORMAT_STL: ts_file_format = 1;
+/// ASCII, or binary of either byte order
 pub const TS_FORMAT_PLY: ts_file_format = 2;
+/// `v` and `f` lines; the rest is passed over
 pub const TS_FORMAT_OBJ: ts_file_format = 3;
+/// ASCII; [ST][C][N]OFF
 pub const TS_FORMAT_OFF: ts_file_format = 4;
+/// no value: makes the enum 32 bits wide
 pub const TS_FORMAT_FORCE_INT: ts_file_format = 2147483647;
 /// The names and values of [`ts_file_format`].
 pub const TS_FILE_FORMAT_VALUES: &[(&str, ts_file_format)] = &[
@@ -207,6 +228,7 @@ pub const TS_WARN_FEATURES_INSIDE_OUT: ts_features_warning = 1;
 pub const TS_WARN_FEATURES_OPPOSED: ts_features_warning = 2;
 /// much that is as rough as teeth lies off the arch, or the arch is longer than any jaw's: two jaws side by side
 pub const TS_WARN_FEATURES_SEVERAL_ARCHES: ts_features_warning = 4;
+/// no value: makes the enum 32 bits wide
 pub const TS_WARN_FEATURES_FORCE_INT: ts_features_warning = 2147483647;
 /// The names and values of [`ts_features_warning`].
 pub const TS_FEATURES_WARNING_VALUES: &[(&str, ts_features_warning)] = &[
@@ -215,11 +237,13 @@ pub const TS_FEATURES_WARNING_VALUES: &[(&str, ts_features_warning)] = &[
     ("TS_WARN_FEATURES_SEVERAL_ARCHES", TS_WARN_FEATURES_SEVERAL_ARCHES),
 ];
 
+/// What options are initialised to.
 pub type ts_preset = u32;
 /// the best we know: docs/method.md
 pub const TS_PRESET_DEFAULT: ts_preset = 0;
 /// the paper to the letter
 pub const TS_PRESET_PAPER: ts_preset = 1;
+/// no value: makes the enum 32 bits wide
 pub const TS_PRESET_FORCE_INT: ts_preset = 2147483647;
 /// The names and values of [`ts_preset`].
 pub const TS_PRESET_VALUES: &[(&str, ts_preset)] = &[
@@ -239,6 +263,7 @@ pub const TS_WEIGHTS_COTANGENT: ts_weights = 2;
 pub const TS_WEIGHTS_UNIFORM: ts_weights = 3;
 /// feature-preserving, as paper ref. 40: Eq. 8 without its test, so that every bend counts, convex or concave (the paper does not print the formula of ref. 40)
 pub const TS_WEIGHTS_FEATURE: ts_weights = 4;
+/// no value: makes the enum 32 bits wide
 pub const TS_WEIGHTS_FORCE_INT: ts_weights = 2147483647;
 /// The names and values of [`ts_weights`].
 pub const TS_WEIGHTS_VALUES: &[(&str, ts_weights)] = &[
@@ -257,6 +282,7 @@ pub const TS_BACKGROUND_NEIGHBOUR: ts_background = 0;
 pub const TS_BACKGROUND_GINGIVA: ts_background = 1;
 /// these, and the points of all other groups
 pub const TS_BACKGROUND_ALL: ts_background = 2;
+/// no value: makes the enum 32 bits wide
 pub const TS_BACKGROUND_FORCE_INT: ts_background = 2147483647;
 /// The names and values of [`ts_background`].
 pub const TS_BACKGROUND_VALUES: &[(&str, ts_background)] = &[
@@ -273,6 +299,7 @@ pub const TS_CUT_GRADIENT: ts_cut_rule = 0;
 pub const TS_CUT_COMPONENT: ts_cut_rule = 1;
 /// the contour half way between the tooth's value and the background's
 pub const TS_CUT_HALF: ts_cut_rule = 2;
+/// no value: makes the enum 32 bits wide
 pub const TS_CUT_FORCE_INT: ts_cut_rule = 2147483647;
 /// The names and values of [`ts_cut_rule`].
 pub const TS_CUT_RULE_VALUES: &[(&str, ts_cut_rule)] = &[
@@ -303,6 +330,7 @@ pub const TS_WARN_TWO_GROUPS: ts_tooth_warning = 128;
 pub const TS_WARN_FLAT_TOP: ts_tooth_warning = 256;
 /// no feature group lies on it: the click alone says that it is a tooth
 pub const TS_WARN_MADE_BY_CLICK: ts_tooth_warning = 512;
+/// no value: makes the enum 32 bits wide
 pub const TS_WARN_FORCE_INT: ts_tooth_warning = 2147483647;
 /// The names and values of [`ts_tooth_warning`].
 pub const TS_TOOTH_WARNING_VALUES: &[(&str, ts_tooth_warning)] = &[
@@ -320,9 +348,13 @@ pub const TS_TOOTH_WARNING_VALUES: &[(&str, ts_tooth_warning)] = &[
 
 /// The jaw of a scan.
 pub type ts_jaw = u32;
+/// not known
 pub const TS_JAW_UNKNOWN: ts_jaw = 0;
+/// maxilla
 pub const TS_JAW_UPPER: ts_jaw = 1;
+/// mandible
 pub const TS_JAW_LOWER: ts_jaw = 2;
+/// no value: makes the enum 32 bits wide
 pub const TS_JAW_FORCE_INT: ts_jaw = 2147483647;
 /// The names and values of [`ts_jaw`].
 pub const TS_JAW_VALUES: &[(&str, ts_jaw)] = &[
@@ -331,11 +363,17 @@ pub const TS_JAW_VALUES: &[(&str, ts_jaw)] = &[
     ("TS_JAW_LOWER", TS_JAW_LOWER),
 ];
 
+/// What an edit did.
 pub type ts_edit_kind = u32;
+/// ts_cut_drag
 pub const TS_EDIT_DRAG: ts_edit_kind = 1;
+/// ts_cut_draw
 pub const TS_EDIT_DRAW: ts_edit_kind = 2;
+/// ts_cut_offset
 pub const TS_EDIT_OFFSET: ts_edit_kind = 3;
+/// ts_cut_smooth
 pub const TS_EDIT_SMOOTH: ts_edit_kind = 4;
+/// no value: makes the enum 32 bits wide
 pub const TS_EDIT_FORCE_INT: ts_edit_kind = 2147483647;
 /// The names and values of [`ts_edit_kind`].
 pub const TS_EDIT_KIND_VALUES: &[(&str, ts_edit_kind)] = &[
@@ -345,7 +383,7 @@ pub const TS_EDIT_KIND_VALUES: &[(&str, ts_edit_kind)] = &[
     ("TS_EDIT_SMOOTH", TS_EDIT_SMOOTH),
 ];
 
-/// What a vertex is. Values are fixed;
+/// What a vertex is.
 pub type ts_mesh_vertex_flag = u32;
 /// shared with another part
 pub const TS_VERTEX_ON_CUT: ts_mesh_vertex_flag = 1;
@@ -353,6 +391,7 @@ pub const TS_VERTEX_ON_CUT: ts_mesh_vertex_flag = 1;
 pub const TS_VERTEX_ON_RIM: ts_mesh_vertex_flag = 2;
 /// made to close the mesh
 pub const TS_VERTEX_OF_FILL: ts_mesh_vertex_flag = 4;
+/// no value: makes the enum 32 bits wide
 pub const TS_VERTEX_FORCE_INT: ts_mesh_vertex_flag = 2147483647;
 /// The names and values of [`ts_mesh_vertex_flag`].
 pub const TS_MESH_VERTEX_FLAG_VALUES: &[(&str, ts_mesh_vertex_flag)] = &[
@@ -361,7 +400,7 @@ pub const TS_MESH_VERTEX_FLAG_VALUES: &[(&str, ts_mesh_vertex_flag)] = &[
     ("TS_VERTEX_OF_FILL", TS_VERTEX_OF_FILL),
 ];
 
-/// Formats that are written. Values are fixed;
+/// Formats that are written.
 pub type ts_output_format = u32;
 /// binary; floats
 pub const TS_OUTPUT_STL: ts_output_format = 0;
@@ -371,6 +410,7 @@ pub const TS_OUTPUT_PLY: ts_output_format = 1;
 pub const TS_OUTPUT_OBJ: ts_output_format = 2;
 /// glTF 2.0 binary, in m as it has to be: a mesh and a node a part, floats
 pub const TS_OUTPUT_GLB: ts_output_format = 3;
+/// no value: makes the enum 32 bits wide
 pub const TS_OUTPUT_FORCE_INT: ts_output_format = 2147483647;
 /// The names and values of [`ts_output_format`].
 pub const TS_OUTPUT_FORMAT_VALUES: &[(&str, ts_output_format)] = &[
@@ -415,27 +455,29 @@ pub struct ts_segmentation {
     _neither_send_nor_sync: PhantomData<*mut u8>,
 }
 
-/// A tooth, or the gingiva, as a mesh of its own, cut exactly along the cuts of the teeth: triangles that a cut crosses are split on it. What a tooth's cuts enclose is its own; where the cuts of several teeth enclose the same, it is that of the tooth with the nearest constraint point (ts_get_tooth_seeds), as ts_get_labels has it for whole faces: the teeth meet where these are equally far, and ts_mesh_info::lost says how much that took off. The meshes of all teeth and of the gingiva, open, add up to the model, and vertices on cuts have the same coordinates in both meshes, bit for bit. They belong to the teeth separated when they are made. Never changes once made;
+/// A tooth, or the gingiva, as a mesh of its own, cut exactly along the cuts of the teeth: triangles that a cut crosses are split on it. What a tooth's cuts enclose is its own; where the cuts of several teeth enclose the same, it is that of the tooth with the nearest constraint point (ts_get_tooth_seeds), as ts_get_labels has it for whole faces: the teeth meet where these are equally far, and ts_mesh_info::lost says how much that took off. The meshes of all teeth and of the gingiva, open, add up to the model, and vertices on cuts have the same coordinates in both meshes, bit for bit. They belong to the teeth separated when they are made. Never changes once made.
 #[repr(C)]
 pub struct ts_mesh {
     _opaque: [u8; 0],
     _neither_send_nor_sync: PhantomData<*mut u8>,
 }
 
-/// Allocator hook. `alloc` returns memory aligned to 16 bytes, or NULL when there is none. Both may be called from any thread that works for the context. The large buffers of the library come from here; Eigen, OpenMesh and oneTBB keep their own.
+/// Allocator hook. `alloc` returns memory aligned to 16 bytes, or NULL when there is none. Both may be called from any thread that works for the context. The large buffers of the library come from here; Eigen and oneTBB keep their own.
 pub type ts_alloc_fn = Option<unsafe extern "C" fn(bytes: usize, user: *mut c_void) -> *mut c_void>;
 
+/// Gives back what `alloc` of the same hook gave; `memory` is never NULL.
 pub type ts_free_fn = Option<unsafe extern "C" fn(memory: *mut c_void, user: *mut c_void)>;
 
 /// Log hook: one line without newline, valid during the call only; may come from any thread that works for the context.
 pub type ts_log_fn = Option<unsafe extern "C" fn(level: ts_log_level, text: *const c_char, user: *mut c_void)>;
 
-/// Called during a long call, from a thread that works for it, one call at a time: `fraction` in [0, 1], never falling within one call; `stage` a short English name. Return 0 to go on, anything else to cancel. Must not call the library.
+/// Called during a long call, from a thread that works for it, one call at a time: `fraction` in [0, 1], never falling within one call; `stage` a short English name. Return 0 to go on, anything else to cancel: sticky, as ts_job_cancel is. Must not call the library.
 pub type ts_progress_fn = Option<unsafe extern "C" fn(fraction: f64, stage: *const c_char, user: *mut c_void) -> c_int>;
 
-/// Called on the thread of the call that changed something, after the change, with what ts_get_changes tells; `teeth` lives as long as the callback. It may read the segmentation, and must not change or destroy it.
+/// Called on the thread of the call that changed something, after the change, with what ts_get_changes tells; `teeth` lives as long as the callback. It may read the segmentation and must not destroy it; calls that would change it are refused (TS_E_INVALID_ARGUMENT).
 pub type ts_change_fn = Option<unsafe extern "C" fn(user: *mut c_void, teeth: *const u32, count: u32)>;
 
+/// Hooks and threads of a context.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_context_options {
@@ -445,10 +487,13 @@ pub struct ts_context_options {
     pub threads: u32,
     /// NULL = the system's; give both or none
     pub alloc: ts_alloc_fn,
+    /// NULL if `alloc` is
     pub free: ts_free_fn,
+    /// given to both as `user`
     pub alloc_user: *mut c_void,
     /// NULL = silent
     pub log: ts_log_fn,
+    /// given to it as `user`
     pub log_user: *mut c_void,
 }
 
@@ -466,6 +511,7 @@ impl Default for ts_context_options {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_mesh_input {
+    /// set by ts_mesh_input_init
     pub struct_size: u32,
     /// type of the coordinates
     pub scalar: ts_scalar,
@@ -479,6 +525,8 @@ pub struct ts_mesh_input {
     pub triangles: *const u32,
     /// number of faces; for a soup vertex_count / 3 or 0
     pub triangle_count: u32,
+    /// 0
+    pub reserved: u32,
 }
 
 impl Default for ts_mesh_input {
@@ -491,9 +539,11 @@ impl Default for ts_mesh_input {
     }
 }
 
+/// How a mesh is taken in.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_intake_options {
+    /// set by ts_intake_options_init
     pub struct_size: u32,
     /// default TS_UNIT_CHECKED_MM
     pub unit: ts_unit,
@@ -515,6 +565,7 @@ impl Default for ts_intake_options {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_intake_report {
+    /// in: sizeof this struct
     pub struct_size: u32,
     /// as given (a soup: 3 a face)
     pub input_vertices: u32,
@@ -568,9 +619,11 @@ impl Default for ts_intake_report {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_surface_point {
+    /// of the model
     pub face: u32,
     /// the corner with the largest weight
     pub nearest_vertex: u32,
+    /// weights of its corners, in their order
     pub barycentric: [f64; 3],
     /// mm
     pub position: [f64; 3],
@@ -586,9 +639,11 @@ impl Default for ts_surface_point {
     }
 }
 
+/// How features are found.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_feature_options {
+    /// set by ts_feature_options_init
     pub struct_size: u32,
     /// most points a tooth. Default 8
     pub max_points: u32,
@@ -608,16 +663,21 @@ impl Default for ts_feature_options {
     }
 }
 
+/// Counts of a set of features, and what the detection saw of the scan.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_features_info {
+    /// in: sizeof this struct
     pub struct_size: u32,
+    /// number of groups
     pub groups: u32,
+    /// number of points in all of them
     pub points: u32,
     /// 1 if the detection found that the faces look inwards; everything works all the same
     pub inside_out: u32,
     /// sum of ts_features_warning
     pub warnings: u32,
+    /// 0
     pub reserved: u32,
     /// roughness that faces against the occlusal direction over that which faces with it: under .05 on most scans of one jaw, at most .33; .5 to 1 for two jaws in occlusion
     pub opposed: f64,
@@ -637,6 +697,7 @@ impl Default for ts_features_info {
     }
 }
 
+/// A feature point: where a tooth is held.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_feature_point {
@@ -662,6 +723,7 @@ impl Default for ts_feature_point {
     }
 }
 
+/// The feature points of a tooth.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_feature_group {
@@ -675,8 +737,9 @@ pub struct ts_feature_group {
     pub next: u32,
     /// mean of its points, mm
     pub centre: [f64; 3],
-    /// where its tooth begins and ends along the arch curve, mm; 0, 0 if made by hand
+    /// where its tooth begins along the arch curve, mm; 0 if made by hand
     pub arch_from: f64,
+    /// where it ends, mm; 0 if made by hand
     pub arch_to: f64,
     /// 0 to 1: how sure the detection is that this is one tooth; 1 if made by hand
     pub confidence: f64,
@@ -694,6 +757,7 @@ impl Default for ts_feature_group {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_segment_options {
+    /// set by ts_segment_options_init
     pub struct_size: u32,
     /// what the options were initialised to; informative
     pub preset: ts_preset,
@@ -725,9 +789,9 @@ pub struct ts_segment_options {
     pub seed_radius: f64,
     /// from every feature point, mm, at which gingiva begins for certain. 13
     pub gingiva_distance: f64,
-    /// a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330
+    /// least area of a tooth, mm^2, for COMPONENT and for warnings. 25 / 25
     pub area_min: f64,
-    /// a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330
+    /// largest area of a tooth, mm^2. 330 / 330
     pub area_max: f64,
     /// holes in a tooth's region up to this are filled, mm^2. 40 / 0
     pub hole_area: f64,
@@ -767,6 +831,7 @@ pub struct ts_click_times {
     pub cut: f64,
     /// faces, refinement, labels
     pub label: f64,
+    /// of the call, but for its entry in the history
     pub total: f64,
 }
 
@@ -778,9 +843,11 @@ impl Default for ts_click_times {
     }
 }
 
+/// What came of a click.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_click_info {
+    /// in: sizeof this struct
     pub struct_size: u32,
     /// tooth clicked: id of its group
     pub target: u32,
@@ -798,6 +865,7 @@ pub struct ts_click_info {
     pub target_iso: f64,
     /// NaN if there is no neighbour
     pub neighbour_iso: f64,
+    /// how long it took
     pub ms: ts_click_times,
 }
 
@@ -815,6 +883,7 @@ impl Default for ts_click_info {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_contour_info {
+    /// the value
     pub iso: f64,
     /// mean of |grad u| along it, 1/mm
     pub gradient: f64,
@@ -824,6 +893,7 @@ pub struct ts_contour_info {
     pub length: f64,
     /// in all its polylines
     pub points: u32,
+    /// number of these
     pub polylines: u32,
     /// 1 = cut of the target, 2 = of the neighbour, 0 = neither
     pub chosen: u32,
@@ -841,8 +911,11 @@ impl Default for ts_contour_info {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_edge_point {
+    /// model vertex
     pub a: u32,
+    /// model vertex
     pub b: u32,
+    /// 0 at a, 1 at b
     pub t: f64,
     /// mm
     pub position: [f64; 3],
@@ -860,7 +933,9 @@ impl Default for ts_edge_point {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_tooth_info {
+    /// in: sizeof this struct
     pub struct_size: u32,
+    /// of the tooth
     pub id: u32,
     /// what ts_get_labels writes: place of its feature group along the arch counted from 1; of the n-th group made by a click the number of feature groups + n; not an FDI number
     pub label: u32,
@@ -884,6 +959,8 @@ pub struct ts_tooth_info {
     pub confidence: f64,
     /// sum of ts_tooth_warning
     pub warnings: u32,
+    /// 0
+    pub reserved: u32,
 }
 
 impl Default for ts_tooth_info {
@@ -896,10 +973,13 @@ impl Default for ts_tooth_info {
     }
 }
 
+/// A loop of a cut.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_cut_info {
+    /// in: sizeof this struct
     pub struct_size: u32,
+    /// number of these
     pub points: u32,
     /// 1: the last point is joined to the first
     pub closed: u32,
@@ -927,7 +1007,9 @@ impl Default for ts_cut_info {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_prepare_times {
+    /// in: sizeof this struct
     pub struct_size: u32,
+    /// 0
     pub reserved: u32,
     /// of the model
     pub intake: f64,
@@ -935,6 +1017,7 @@ pub struct ts_prepare_times {
     pub features: f64,
     /// curvature, concavity, weights
     pub weights: f64,
+    /// constraints, ordering, factorisation
     pub factorise: f64,
 }
 
@@ -952,7 +1035,9 @@ impl Default for ts_prepare_times {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_memory_info {
+    /// in: sizeof this struct
     pub struct_size: u32,
+    /// 0
     pub reserved: u32,
     /// of the model, which segmentations share
     pub model: u64,
@@ -986,6 +1071,7 @@ pub struct ts_review_item {
     pub separated: u32,
     /// sum of ts_tooth_warning
     pub warnings: u32,
+    /// 0
     pub reserved: u32,
     /// of the tooth, 0 to 1; 0 where it is not separated
     pub confidence: f64,
@@ -1005,12 +1091,13 @@ impl Default for ts_review_item {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_overlap {
-    /// ids of the teeth
+    /// id of the tooth that they go to
     pub winner: u32,
-    /// ids of the teeth
+    /// id of the other one
     pub loser: u32,
     /// of the model
     pub faces: u32,
+    /// 0
     pub reserved: u32,
     /// mm^2
     pub area: f64,
@@ -1024,9 +1111,11 @@ impl Default for ts_overlap {
     }
 }
 
+/// The steps that are kept.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_history_info {
+    /// in: sizeof this struct
     pub struct_size: u32,
     /// steps that can be taken back
     pub undo: u32,
@@ -1036,6 +1125,7 @@ pub struct ts_history_info {
     pub complete: u32,
     /// about what the steps keep
     pub bytes: u64,
+    /// how much they may (ts_set_history_limit)
     pub limit: u64,
 }
 
@@ -1053,11 +1143,13 @@ impl Default for ts_history_info {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_number_options {
+    /// set by ts_number_options_init
     pub struct_size: u32,
     /// UNKNOWN (default): estimated
     pub jaw: ts_jaw,
     /// 1: the scan is a mirror image of the patient, so left and right change places. No scan shows whether it is one. Default 0
     pub mirrored: u32,
+    /// 0
     pub reserved: u32,
     /// 0 to 1: a number or a jaw under it is uncertain. Default 0.9
     pub least_confidence: f64,
@@ -1077,6 +1169,7 @@ impl Default for ts_number_options {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_number_info {
+    /// in: sizeof this struct
     pub struct_size: u32,
     /// the most probable, also where it is uncertain
     pub fdi: u32,
@@ -1102,6 +1195,7 @@ impl Default for ts_number_info {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_jaw_info {
+    /// in: sizeof this struct
     pub struct_size: u32,
     /// the more probable, also where it is uncertain
     pub jaw: ts_jaw,
@@ -1127,6 +1221,7 @@ impl Default for ts_jaw_info {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_palmer {
+    /// in: sizeof this struct
     pub struct_size: u32,
     /// as in FDI: 1 upper right, 2 upper left, 3 lower left, 4 lower right
     pub quadrant: u32,
@@ -1152,11 +1247,13 @@ impl Default for ts_palmer {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_cut_edit {
+    /// which of them
     pub kind: ts_edit_kind,
     /// TS_OK: it shows in the cut; else why it was dropped when the tooth was last separated again. A dropped edit is tried again the next time
     pub status: ts_status,
     /// 2 of a drag, those of a stroke, 0 of the others
     pub points: u32,
+    /// 0
     pub reserved: u32,
     /// reach, mm or strength as given; 0 of a stroke
     pub amount: f64,
@@ -1174,9 +1271,11 @@ impl Default for ts_cut_edit {
     }
 }
 
+/// How meshes of teeth are made.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_tooth_mesh_options {
+    /// set by ts_tooth_mesh_options_init
     pub struct_size: u32,
     /// 1: all rims are closed by smooth membranes, those of the scan (holes, open ends) as well. Default 0
     pub closed: u32,
@@ -1192,13 +1291,17 @@ impl Default for ts_tooth_mesh_options {
     }
 }
 
+/// Counts and measures of a mesh.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_mesh_info {
+    /// in: sizeof this struct
     pub struct_size: u32,
     /// ts_tooth_info::label, 0 of the gingiva
     pub label: u32,
+    /// number of vertices
     pub vertices: u32,
+    /// number of triangles
     pub triangles: u32,
     /// of these, at the end: those that close it
     pub fill_triangles: u32,
@@ -1232,9 +1335,11 @@ impl Default for ts_mesh_info {
     }
 }
 
+/// How a segmentation is written.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_save_options {
+    /// set by ts_save_options_init
     pub struct_size: u32,
     /// 1: the model's faces as they are, each of the tooth that ts_get_labels says. Default 0: split along the cuts
     pub whole_faces: u32,
@@ -1254,6 +1359,7 @@ impl Default for ts_save_options {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct ts_tooth_frame {
+    /// in: sizeof this struct
     pub struct_size: u32,
     /// 1: mesial is along the arch curve; 0: there is none (features made by hand), and mesial is the direction in which the tooth is widest, to either side
     pub from_arch: u32,
@@ -1304,8 +1410,11 @@ extern "C" {
     pub fn ts_job_reset(job: *mut ts_job);
     /// The last reported fraction, 0 before any. Any thread. NULL gives 0.
     pub fn ts_job_progress(job: *const ts_job) -> f64;
+    /// Gives a job back; NULL is fine. Not while a call uses it.
     pub fn ts_job_destroy(job: *mut ts_job);
+    /// Fills `input` with an empty mesh of doubles. `struct_size`: sizeof(ts_mesh_input). Errors: TS_E_NULL, TS_E_STRUCT_SIZE. Thread: any.
     pub fn ts_mesh_input_init(input: *mut ts_mesh_input, struct_size: u32) -> ts_status;
+    /// Fills `options` with the defaults. `struct_size`: sizeof(ts_intake_options). Errors and threads: as above.
     pub fn ts_intake_options_init(options: *mut ts_intake_options, struct_size: u32) -> ts_status;
     /// Makes a model from the caller's arrays. Errors: TS_E_MESH_*, TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_INVALID_ARGUMENT, TS_E_OUT_OF_MEMORY, TS_E_CANCELLED. `options` and `job` may be NULL.
     pub fn ts_model_create(context: *mut ts_context, input: *const ts_mesh_input, options: *const ts_intake_options, job: *mut ts_job, out: *mut *mut ts_model) -> ts_status;
@@ -1313,6 +1422,7 @@ extern "C" {
     pub fn ts_model_load(context: *mut ts_context, path: *const c_char, options: *const ts_intake_options, job: *mut ts_job, out: *mut *mut ts_model) -> ts_status;
     /// The same from a file already in memory.
     pub fn ts_model_read(context: *mut ts_context, bytes: *const c_void, size: usize, format: ts_file_format, options: *const ts_intake_options, job: *mut ts_job, out: *mut *mut ts_model) -> ts_status;
+    /// Gives a model back; NULL is fine. It lives on until its last child is gone.
     pub fn ts_model_destroy(model: *mut ts_model);
     /// Fills the report. `report->struct_size` in, the rest out.
     pub fn ts_model_get_report(model: *const ts_model, report: *mut ts_intake_report) -> ts_status;
@@ -1328,6 +1438,7 @@ extern "C" {
     pub fn ts_model_nearest(model: *const ts_model, position: *const f64, out: *mut ts_surface_point) -> ts_status;
     /// The first surface point hit by a ray (both sides of a face count). `direction` need not have length 1. Errors: TS_E_NOT_FOUND (the ray misses), TS_E_NULL, TS_E_INVALID_ARGUMENT.
     pub fn ts_model_raycast(model: *const ts_model, origin: *const f64, direction: *const f64, out: *mut ts_surface_point) -> ts_status;
+    /// Fills `options` with the defaults. `struct_size`: sizeof(ts_feature_options). Errors: TS_E_NULL, TS_E_STRUCT_SIZE. Thread: any.
     pub fn ts_feature_options_init(options: *mut ts_feature_options, struct_size: u32) -> ts_status;
     /// Finds the features of a model. Errors: TS_E_NO_TEETH, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage.
     pub fn ts_detect_features(model: *const ts_model, options: *const ts_feature_options, job: *mut ts_job, out: *mut *mut ts_features) -> ts_status;
@@ -1335,11 +1446,13 @@ extern "C" {
     pub fn ts_features_create(model: *const ts_model, out: *mut *mut ts_features) -> ts_status;
     /// Makes a copy.
     pub fn ts_features_clone(features: *const ts_features, out: *mut *mut ts_features) -> ts_status;
+    /// Gives features back; NULL is fine.
     pub fn ts_features_destroy(features: *mut ts_features);
     /// Counts, and what the detection saw (0 in a set made by hand). `info->struct_size` in, the rest out.
     pub fn ts_features_get_info(features: *const ts_features, info: *mut ts_features_info) -> ts_status;
     /// The unit vector from the gums to the biting surface.
     pub fn ts_features_get_occlusal(features: *const ts_features, direction: *mut f64) -> ts_status;
+    /// Sets it by hand; `direction` need not have length 1. Errors: TS_E_INVALID_ARGUMENT (no length, not finite), TS_E_NULL.
     pub fn ts_features_set_occlusal(features: *mut ts_features, direction: *const f64) -> ts_status;
     /// The arch curve as a polyline from one end of the arch to the other: 3 doubles a point, mm.
     pub fn ts_features_get_arch(features: *const ts_features, xyz: *mut f64, capacity: u32, count: *mut u32) -> ts_status;
@@ -1349,14 +1462,19 @@ extern "C" {
     pub fn ts_features_get_groups(features: *const ts_features, groups: *mut ts_feature_group, capacity: u32, count: *mut u32) -> ts_status;
     /// Adds a point at the surface point nearest to `position`, to `group` (TS_NONE: a new group, placed along the arch by its position). `point` and `group_out` may be NULL. Errors: TS_E_NOT_FOUND, usage.
     pub fn ts_features_add_point(features: *mut ts_features, position: *const f64, group: u32, point: *mut u32, group_out: *mut u32) -> ts_status;
+    /// Moves a point to the surface point nearest to `position`; it counts as set by hand then. Errors: TS_E_NOT_FOUND, usage.
     pub fn ts_features_move_point(features: *mut ts_features, point: u32, position: *const f64) -> ts_status;
     /// Puts a point into another group (TS_NONE: a new one). A group without points ceases to exist.
     pub fn ts_features_set_group(features: *mut ts_features, point: u32, group: u32, group_out: *mut u32) -> ts_status;
+    /// Takes a point away, and its group with the last of them. Errors: TS_E_NOT_FOUND, TS_E_NULL.
     pub fn ts_features_remove_point(features: *mut ts_features, point: u32) -> ts_status;
+    /// Takes a group away with all its points. Errors: TS_E_NOT_FOUND, TS_E_NULL.
     pub fn ts_features_remove_group(features: *mut ts_features, group: u32) -> ts_status;
+    /// Fills `options` with those of a preset. `struct_size`: sizeof(ts_segment_options). Errors: TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_INVALID_ARGUMENT (no such preset). Thread: any.
     pub fn ts_segment_options_init(options: *mut ts_segment_options, struct_size: u32, preset: ts_preset) -> ts_status;
     /// Prepares a scan: weights, and the factorisation that all clicks share. `features` are copied. Errors: TS_E_NO_CONSTRAINT, TS_E_SOLVER, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage.
     pub fn ts_segmentation_create(features: *const ts_features, options: *const ts_segment_options, job: *mut ts_job, out: *mut *mut ts_segmentation) -> ts_status;
+    /// Gives a segmentation back; NULL is fine.
     pub fn ts_segmentation_destroy(segmentation: *mut ts_segmentation);
     /// Separates the tooth under `position` (mm, on the surface) and its neighbour: the group closest along the surface is the target (0), the next closest the background (1) (paper, "User interface"). The default preset takes for the neighbour the tooth beside the target along the arch that the click faces; one that is separated already is passed over where the tooth on the other side is not. With everything else as background, as the default preset has it, the click is evidence: where the tooth of the closest group does not hold the click, the target is the group that the field at the click is most of; where that one's tooth does not hold it either, the click makes a group of its own, held on a disc of seed_radius (TS_WARN_MADE_BY_CLICK). A click that succeeds gives the tooth that it lies on, or, on no other, within 1 mm of. A group made by a click belongs to the segmentation, not to the features: later clicks find it and have it as background; its id is the smallest larger than those of all groups of the features and of those made before it. TS_E_CLICK_ON_GINGIVA also where what could be cut out around the click is no tooth. `click` out, may be NULL: its number, counted from 0. Errors: TS_E_CLICK_*, TS_E_NO_CUT, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage.
     pub fn ts_segment_click(segmentation: *mut ts_segmentation, position: *const f64, job: *mut ts_job, click: *mut u32) -> ts_status;
@@ -1364,19 +1482,25 @@ extern "C" {
     pub fn ts_segment_clicks(segmentation: *mut ts_segmentation, positions: *const f64, count: u32, job: *mut ts_job, statuses: *mut ts_status) -> ts_status;
     /// The fewest clicks that cover every group of the features not yet separated (paper: N/2, or N/2 + 1 in all): 3 doubles a click, to be given to ts_segment_clicks. No clicks once all are separated.
     pub fn ts_propose_clicks(segmentation: *const ts_segmentation, positions: *mut f64, capacity: u32, count: *mut u32) -> ts_status;
+    /// How many clicks have succeeded so far. Errors: TS_E_NULL.
     pub fn ts_get_click_count(segmentation: *const ts_segmentation, count: *mut u32) -> ts_status;
+    /// `click`: counted from 0. `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND, TS_E_NULL, TS_E_STRUCT_SIZE.
     pub fn ts_get_click(segmentation: *const ts_segmentation, click: u32, info: *mut ts_click_info) -> ts_status;
     /// u of Eq. 3 for a click, a value a model vertex: 0 on the target, 1 on the neighbour; NaN on pieces of the mesh that hold no constraint.
     pub fn ts_get_field(segmentation: *const ts_segmentation, click: u32, u: *mut f64, capacity: u32, count: *mut u32) -> ts_status;
     /// The histogram of Fig. 4C: vertices a bin over [0, 1].
     pub fn ts_get_histogram(segmentation: *const ts_segmentation, click: u32, bins: *mut u32, capacity: u32, count: *mut u32) -> ts_status;
+    /// All contours of a click, by rising iso-value (ts_segment_options::contours of them). Errors: TS_E_NOT_FOUND, usage.
     pub fn ts_get_contours(segmentation: *const ts_segmentation, click: u32, contours: *mut ts_contour_info, capacity: u32, count: *mut u32) -> ts_status;
     /// The points of one contour. `starts` out, may be NULL: index of the first point of each polyline (`polylines` of them); closed polylines repeat no point; `closed` out, may be NULL: 1 or 0 each.
     pub fn ts_get_contour_points(segmentation: *const ts_segmentation, click: u32, contour: u32, points: *mut ts_edge_point, capacity: u32, count: *mut u32, starts: *mut u32, closed: *mut u8) -> ts_status;
     /// Ids of the teeth separated so far, along the arch.
     pub fn ts_get_teeth(segmentation: *const ts_segmentation, teeth: *mut u32, capacity: u32, count: *mut u32) -> ts_status;
+    /// `tooth`: id. `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND, TS_E_NULL, TS_E_STRUCT_SIZE.
     pub fn ts_get_tooth(segmentation: *const ts_segmentation, tooth: u32, info: *mut ts_tooth_info) -> ts_status;
+    /// Model faces of a tooth, ascending, those that another tooth holds as well included. Errors: TS_E_NOT_FOUND, usage.
     pub fn ts_get_tooth_faces(segmentation: *const ts_segmentation, tooth: u32, faces: *mut u32, capacity: u32, count: *mut u32) -> ts_status;
+    /// Model vertices of these faces, ascending. Errors: TS_E_NOT_FOUND, usage.
     pub fn ts_get_tooth_vertices(segmentation: *const ts_segmentation, tooth: u32, vertices: *mut u32, capacity: u32, count: *mut u32) -> ts_status;
     /// Model vertices held as this tooth's constraint.
     pub fn ts_get_tooth_seeds(segmentation: *const ts_segmentation, tooth: u32, vertices: *mut u32, capacity: u32, count: *mut u32) -> ts_status;
@@ -1384,6 +1508,7 @@ extern "C" {
     pub fn ts_get_cut(segmentation: *const ts_segmentation, tooth: u32, r#loop: u32, info: *mut ts_cut_info, points: *mut ts_edge_point, capacity: u32, count: *mut u32) -> ts_status;
     /// A label for each of the CALLER's faces, in the caller's order: 0 = no tooth (so far), else ts_tooth_info::label. Faces that intake dropped have the label of the face they duplicate or touch.
     pub fn ts_get_labels(segmentation: *const ts_segmentation, labels: *mut u32, capacity: u32, count: *mut u32) -> ts_status;
+    /// `times->struct_size` in, the rest out. Errors: TS_E_NULL, TS_E_STRUCT_SIZE.
     pub fn ts_get_prepare_times(segmentation: *const ts_segmentation, times: *mut ts_prepare_times) -> ts_status;
     /// Errors: TS_E_NULL, TS_E_STRUCT_SIZE.
     pub fn ts_get_memory(segmentation: *const ts_segmentation, info: *mut ts_memory_info) -> ts_status;
@@ -1405,11 +1530,15 @@ extern "C" {
     pub fn ts_tooth_remove(segmentation: *mut ts_segmentation, tooth: u32) -> ts_status;
     /// `locked` 1: nothing changes the tooth until it is unlocked (0): a click on it is refused (TS_E_LOCKED), and as a neighbour it is left as it is. Errors: TS_E_NO_CHANGE where it is so already, TS_E_NOT_FOUND, usage.
     pub fn ts_tooth_set_locked(segmentation: *mut ts_segmentation, tooth: u32, locked: u32) -> ts_status;
+    /// `locked` out: 1 or 0. Errors: TS_E_NOT_FOUND, TS_E_NULL.
     pub fn ts_tooth_get_locked(segmentation: *const ts_segmentation, tooth: u32, locked: *mut u32) -> ts_status;
+    /// All of them, by pairs of teeth. Errors: TS_E_NULL, TS_E_BUFFER_TOO_SMALL.
     pub fn ts_get_overlaps(segmentation: *const ts_segmentation, overlaps: *mut ts_overlap, capacity: u32, count: *mut u32) -> ts_status;
-    /// Takes back the last step, or brings it again: the teeth, clicks and groups are then, byte for byte, what they were. A new step forgets what was taken back. Errors: TS_E_NO_HISTORY, usage.
+    /// Takes back the last step: the teeth, clicks and groups are then, byte for byte, what they were. Errors: TS_E_NO_HISTORY, usage.
     pub fn ts_undo(segmentation: *mut ts_segmentation) -> ts_status;
+    /// Brings again the step that was taken back last. A new step forgets those. Errors: TS_E_NO_HISTORY, usage.
     pub fn ts_redo(segmentation: *mut ts_segmentation) -> ts_status;
+    /// `info->struct_size` in, the rest out. Errors: TS_E_NULL, TS_E_STRUCT_SIZE.
     pub fn ts_get_history(segmentation: *const ts_segmentation, info: *mut ts_history_info) -> ts_status;
     /// How many bytes the steps may keep; the oldest are dropped over it, at once. 256 MiB unless set.
     pub fn ts_set_history_limit(segmentation: *mut ts_segmentation, bytes: u64) -> ts_status;
@@ -1435,8 +1564,9 @@ extern "C" {
     pub fn ts_get_number(segmentation: *const ts_segmentation, tooth: u32, info: *mut ts_number_info) -> ts_status;
     /// `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND (no numbers were assigned), TS_E_NULL, TS_E_STRUCT_SIZE.
     pub fn ts_get_jaw(segmentation: *const ts_segmentation, info: *mut ts_jaw_info) -> ts_status;
-    /// FDI to Universal (1 to 32 from the upper right third molar to the upper left, on from the lower left to the lower right) and back. Errors: TS_E_INVALID_ARGUMENT (no number of a permanent tooth), TS_E_NULL. Thread: any.
+    /// FDI to Universal: 1 to 32 from the upper right third molar to the upper left, on from the lower left to the lower right. Errors: TS_E_INVALID_ARGUMENT (no number of a permanent tooth), TS_E_NULL. Thread: any.
     pub fn ts_fdi_to_universal(fdi: u32, universal: *mut u32) -> ts_status;
+    /// And back. Errors and threads: as ts_fdi_to_universal.
     pub fn ts_universal_to_fdi(universal: u32, fdi: *mut u32) -> ts_status;
     /// `palmer->struct_size` in, the rest out. Errors: TS_E_INVALID_ARGUMENT (no FDI number of a permanent tooth), TS_E_NULL, TS_E_STRUCT_SIZE. Thread: any.
     pub fn ts_fdi_to_palmer(fdi: u32, palmer: *mut ts_palmer) -> ts_status;
@@ -1501,7 +1631,7 @@ mod layout {
     #[cfg(all(target_pointer_width = "64", not(windows)))]
     mod lp64 {
         check!(ts_context_options, 48, 8, struct_size: 0, threads: 4, alloc: 8, free: 16, alloc_user: 24, log: 32, log_user: 40);
-        check!(ts_mesh_input, 40, 8, struct_size: 0, scalar: 4, positions: 8, vertex_count: 16, stride: 20, triangles: 24, triangle_count: 32);
+        check!(ts_mesh_input, 40, 8, struct_size: 0, scalar: 4, positions: 8, vertex_count: 16, stride: 20, triangles: 24, triangle_count: 32, reserved: 36);
         check!(ts_intake_options, 16, 8, struct_size: 0, unit: 4, weld_tolerance: 8);
         check!(ts_intake_report, 88, 8, struct_size: 0, input_vertices: 4, input_faces: 8, polygons: 12, welded_vertices: 16, unreferenced_vertices: 20, degenerate_faces: 24, duplicate_faces: 28, flipped_faces: 32, non_manifold_edges: 36, non_manifold_vertices: 40, unorientable_edges: 44, vertices: 48, faces: 52, components: 56, boundary_loops: 60, diagonal: 64, area: 72, mean_edge: 80);
         check!(ts_surface_point, 64, 8, face: 0, nearest_vertex: 4, barycentric: 8, position: 32, distance: 56);
@@ -1514,7 +1644,7 @@ mod layout {
         check!(ts_click_info, 120, 8, struct_size: 0, target: 4, neighbour: 8, position: 16, target_distance: 40, neighbour_distance: 48, v_med: 56, target_iso: 64, neighbour_iso: 72, ms: 80);
         check!(ts_contour_info, 48, 8, iso: 0, gradient: 8, concavity: 16, length: 24, points: 32, polylines: 36, chosen: 40);
         check!(ts_edge_point, 40, 8, a: 0, b: 4, t: 8, position: 16);
-        check!(ts_tooth_info, 72, 8, struct_size: 0, id: 4, label: 8, click: 12, faces: 16, vertices: 20, loops: 24, seeds: 28, area: 32, iso: 40, gradient: 48, confidence: 56, warnings: 64);
+        check!(ts_tooth_info, 72, 8, struct_size: 0, id: 4, label: 8, click: 12, faces: 16, vertices: 20, loops: 24, seeds: 28, area: 32, iso: 40, gradient: 48, confidence: 56, warnings: 64, reserved: 68);
         check!(ts_cut_info, 48, 8, struct_size: 0, points: 4, closed: 8, length: 16, iso: 24, gradient: 32, concavity: 40);
         check!(ts_prepare_times, 40, 8, struct_size: 0, reserved: 4, intake: 8, features: 16, weights: 24, factorise: 32);
         check!(ts_memory_info, 48, 8, struct_size: 0, reserved: 4, model: 8, segmentation: 16, factor: 24, factor_whole: 32, click: 40);
@@ -1535,7 +1665,7 @@ mod layout {
     #[cfg(all(target_pointer_width = "64", windows))]
     mod llp64 {
         check!(ts_context_options, 48, 8, struct_size: 0, threads: 4, alloc: 8, free: 16, alloc_user: 24, log: 32, log_user: 40);
-        check!(ts_mesh_input, 40, 8, struct_size: 0, scalar: 4, positions: 8, vertex_count: 16, stride: 20, triangles: 24, triangle_count: 32);
+        check!(ts_mesh_input, 40, 8, struct_size: 0, scalar: 4, positions: 8, vertex_count: 16, stride: 20, triangles: 24, triangle_count: 32, reserved: 36);
         check!(ts_intake_options, 16, 8, struct_size: 0, unit: 4, weld_tolerance: 8);
         check!(ts_intake_report, 88, 8, struct_size: 0, input_vertices: 4, input_faces: 8, polygons: 12, welded_vertices: 16, unreferenced_vertices: 20, degenerate_faces: 24, duplicate_faces: 28, flipped_faces: 32, non_manifold_edges: 36, non_manifold_vertices: 40, unorientable_edges: 44, vertices: 48, faces: 52, components: 56, boundary_loops: 60, diagonal: 64, area: 72, mean_edge: 80);
         check!(ts_surface_point, 64, 8, face: 0, nearest_vertex: 4, barycentric: 8, position: 32, distance: 56);
@@ -1548,7 +1678,7 @@ mod layout {
         check!(ts_click_info, 120, 8, struct_size: 0, target: 4, neighbour: 8, position: 16, target_distance: 40, neighbour_distance: 48, v_med: 56, target_iso: 64, neighbour_iso: 72, ms: 80);
         check!(ts_contour_info, 48, 8, iso: 0, gradient: 8, concavity: 16, length: 24, points: 32, polylines: 36, chosen: 40);
         check!(ts_edge_point, 40, 8, a: 0, b: 4, t: 8, position: 16);
-        check!(ts_tooth_info, 72, 8, struct_size: 0, id: 4, label: 8, click: 12, faces: 16, vertices: 20, loops: 24, seeds: 28, area: 32, iso: 40, gradient: 48, confidence: 56, warnings: 64);
+        check!(ts_tooth_info, 72, 8, struct_size: 0, id: 4, label: 8, click: 12, faces: 16, vertices: 20, loops: 24, seeds: 28, area: 32, iso: 40, gradient: 48, confidence: 56, warnings: 64, reserved: 68);
         check!(ts_cut_info, 48, 8, struct_size: 0, points: 4, closed: 8, length: 16, iso: 24, gradient: 32, concavity: 40);
         check!(ts_prepare_times, 40, 8, struct_size: 0, reserved: 4, intake: 8, features: 16, weights: 24, factorise: 32);
         check!(ts_memory_info, 48, 8, struct_size: 0, reserved: 4, model: 8, segmentation: 16, factor: 24, factor_whole: 32, click: 40);
@@ -1569,7 +1699,7 @@ mod layout {
     #[cfg(target_arch = "wasm32")]
     mod wasm32 {
         check!(ts_context_options, 28, 4, struct_size: 0, threads: 4, alloc: 8, free: 12, alloc_user: 16, log: 20, log_user: 24);
-        check!(ts_mesh_input, 28, 4, struct_size: 0, scalar: 4, positions: 8, vertex_count: 12, stride: 16, triangles: 20, triangle_count: 24);
+        check!(ts_mesh_input, 32, 4, struct_size: 0, scalar: 4, positions: 8, vertex_count: 12, stride: 16, triangles: 20, triangle_count: 24, reserved: 28);
         check!(ts_intake_options, 16, 8, struct_size: 0, unit: 4, weld_tolerance: 8);
         check!(ts_intake_report, 88, 8, struct_size: 0, input_vertices: 4, input_faces: 8, polygons: 12, welded_vertices: 16, unreferenced_vertices: 20, degenerate_faces: 24, duplicate_faces: 28, flipped_faces: 32, non_manifold_edges: 36, non_manifold_vertices: 40, unorientable_edges: 44, vertices: 48, faces: 52, components: 56, boundary_loops: 60, diagonal: 64, area: 72, mean_edge: 80);
         check!(ts_surface_point, 64, 8, face: 0, nearest_vertex: 4, barycentric: 8, position: 32, distance: 56);
@@ -1582,7 +1712,7 @@ mod layout {
         check!(ts_click_info, 120, 8, struct_size: 0, target: 4, neighbour: 8, position: 16, target_distance: 40, neighbour_distance: 48, v_med: 56, target_iso: 64, neighbour_iso: 72, ms: 80);
         check!(ts_contour_info, 48, 8, iso: 0, gradient: 8, concavity: 16, length: 24, points: 32, polylines: 36, chosen: 40);
         check!(ts_edge_point, 40, 8, a: 0, b: 4, t: 8, position: 16);
-        check!(ts_tooth_info, 72, 8, struct_size: 0, id: 4, label: 8, click: 12, faces: 16, vertices: 20, loops: 24, seeds: 28, area: 32, iso: 40, gradient: 48, confidence: 56, warnings: 64);
+        check!(ts_tooth_info, 72, 8, struct_size: 0, id: 4, label: 8, click: 12, faces: 16, vertices: 20, loops: 24, seeds: 28, area: 32, iso: 40, gradient: 48, confidence: 56, warnings: 64, reserved: 68);
         check!(ts_cut_info, 48, 8, struct_size: 0, points: 4, closed: 8, length: 16, iso: 24, gradient: 32, concavity: 40);
         check!(ts_prepare_times, 40, 8, struct_size: 0, reserved: 4, intake: 8, features: 16, weights: 24, factorise: 32);
         check!(ts_memory_info, 48, 8, struct_size: 0, reserved: 4, model: 8, segmentation: 16, factor: 24, factor_whole: 32, click: 40);

@@ -1,16 +1,18 @@
-#include "mesh/output_file.h"
+#include "base/output_file.h"
 
 #include <bit>
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <random>
 
 #include "base/error.h"
 
-namespace ts::mesh {
+namespace ts {
 namespace {
 
 std::string reason(const std::string &otherwise) {
+  if (errno == ENOMEM) throw std::bad_alloc();  // not the file's fault
   return errno ? std::strerror(errno) : otherwise;
 }
 
@@ -61,8 +63,8 @@ void OutputFile::commit() {
   if (!out_) fail(reason("write error"));
   std::error_code code;
   std::filesystem::rename(temporary_, place_, code);
-  if (code) fail(code.message());
+  if (code) errno = code.value(), fail(reason("cannot be renamed"));
   temporary_.clear();
 }
 
-}  // namespace ts::mesh
+}  // namespace ts

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace ts::mesh {
+namespace ts {
 
 // Written to a temporary file beside its place, which commit() puts there. Without a commit nothing is left, and what
 // was there stays. All throw Error{file_write}.
@@ -32,4 +32,4 @@ class OutputFile {
   std::ofstream out_;
 };
 
-}  // namespace ts::mesh
+}  // namespace ts

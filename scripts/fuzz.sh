@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Fuzzes: fuzz.sh TARGET|all SECONDS [CORPUS]. Targets: stl ply obj off mesh pipeline session calls. Seconds are for each. What was
+# found goes to build/fuzz/found; the corpus (build/fuzz/corpus unless given) grows and is kept; inputs of tests/fuzz/regressions
+# run first. Fails if anything is found.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+all="stl ply obj off mesh pipeline session calls"
+[ $# -ge 2 ] || { echo "usage: fuzz.sh TARGET|all SECONDS [CORPUS]; targets: $all" >&2; exit 2; }
+targets=$1 seconds=$2 corpus=${3:-build/fuzz/corpus}
+[ "$targets" != all ] || targets=$all
+scripts/install_deps.sh fuzz
+cmake --preset fuzz >/dev/null
+cmake --build --preset fuzz -j "$(nproc)"
+found=$PWD/build/fuzz/found
+mkdir -p "$found"
+[ -d "$corpus" ] || build/fuzz/tests/fuzz/make_corpus "$corpus"
+total=0 failed=0 passed=0
+for target in $targets; do
+  dict=()
+  case $target in
+    stl | ply | obj | off) dict=(-dict=tests/fuzz/files.dict) ;;
+    session) dict=(-dict=tests/fuzz/session.dict) ;;
+  esac
+  mkdir -p "$corpus/$target"
+  seeds=("$corpus/$target")
+  [ ! -d "tests/fuzz/regressions/$target" ] || seeds+=("tests/fuzz/regressions/$target")
+  log=build/fuzz/$target.log
+  if build/fuzz/tests/fuzz/fuzz_"$target" "${dict[@]}" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=4096 -max_len=16384 \
+    -artifact_prefix="$found/$target-" -print_final_stats=1 "${seeds[@]}" >"$log" 2>&1; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    grep -aE 'does not hold|ERROR|SUMMARY|last message|runtime error' "$log" | head -8
+  fi
+  runs=$(grep -a 'number_of_executed_units' "$log" | awk '{print $2}')
+  cover=$(grep -aoE 'cov: [0-9]+' "$log" | tail -1)
+  total=$((total + ${runs:-0}))
+  echo "$target: ${runs:-0} runs, ${cover:-cov: ?}"
+done
+echo "$total runs"
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
