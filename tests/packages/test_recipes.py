@@ -30,7 +30,7 @@ def project():
     """Version, options, and the packages that the library wants, as the project's own CMake files have them."""
     top = (ROOT / "CMakeLists.txt").read_text()
     wanted = {name for file in ("CMakeLists.txt", "src/api/CMakeLists.txt")
-              for name in re.findall(r"^find_package\((\w+)", (ROOT / file).read_text(), re.M)}
+              for name in re.findall(r"^ *find_package\((\w+)", (ROOT / file).read_text(), re.M)} - {"doctest", "OpenMesh"}
     return re.search(r"VERSION ([0-9.]+) LANG", top).group(1), set(re.findall(r"^option\((\w+)", top, re.M)), wanted
 
 
