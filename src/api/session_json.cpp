@@ -77,7 +77,7 @@ Json to_json(const Set::State &s) {
   next.add(s.next_point), next.add(s.next_group);
   Json all = Json::object();
   all.set("occlusal", to_json(s.occlusal)).set("arch", to_json(s.arch)).set("inside_out", s.inside_out);
-  all.set("looks", std::move(looks)).set("points", std::move(points)).set("groups", std::move(groups));
+  all.set("looks", std::move(looks)).set("groups", std::move(groups)).set("points", std::move(points));
   all.set("next", std::move(next));
   return all;
 }
@@ -205,6 +205,10 @@ Set::State features_of(const Place &f, std::size_t vertices) {
     ++g.points;
     s.points.push_back(q);
   });
+  Vec<Index> ids;
+  for (const Set::Point &q : s.points) ids.push_back(q.id);
+  std::ranges::sort(ids);
+  if (std::ranges::adjacent_find(ids) != ids.end()) wrong("features.points", "have two with one id");
   for (Set::Group &g : s.groups) {
     if (g.points == 0) wrong("features.groups", "have one without a point");
     g.centre /= g.points;

@@ -47,7 +47,7 @@ std::size_t Forward::row_of(const Factor &f, Index place, std::size_t from) cons
 void Forward::eliminate(const Factor &f, Index first, Index end) {
   const Eigen::Index columns = end - first;
   const Eigen::OuterStride<> stride(columns_);
-  Rows passed;
+  Vec<double> values;  // not a matrix: Eigen 3.4 frees one twice that cannot be made larger
   Block made;
   Index made_of = mesh::none;
   for (std::size_t i = 0; i < part_.size(); ++i) {
@@ -59,6 +59,8 @@ void Forward::eliminate(const Factor &f, Index first, Index end) {
     Eigen::Map<Rows, 0, Eigen::OuterStride<>> own(value_.data() + start_[i] * columns_ + first, n, columns, stride);
     if (!rows.empty()) {
       const Eigen::Map<const Rows> touched(panel.touched, static_cast<Eigen::Index>(rows.size()), n);
+      values.resize(rows.size() * static_cast<std::size_t>(columns));
+      Eigen::Map<Rows> passed(values.data(), static_cast<Eigen::Index>(rows.size()), columns);
       passed.noalias() = touched * own;
       for (std::size_t r = 0; r < rows.size(); ++r) {
         Eigen::Map<Eigen::RowVectorXd> to(value_.data() + row_of(f, rows[r], i + 1) * columns_ + first, columns);

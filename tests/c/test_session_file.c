@@ -178,6 +178,7 @@ static void what_is_no_session_is_refused(void) {
     {"\"undone\": 1", "\"undone\": 100", TS_E_FILE_SYNTAX},
     {"\"undone\": 1", "\"undone\": 0", TS_E_MISMATCH},
     {"\"id\": 1,", "\"id\": 0,", TS_E_FILE_SYNTAX},
+    {"\"id\": 1,\n    \"group\"", "\"id\": 0,\n    \"group\"", TS_E_FILE_SYNTAX},
     {"\"arch\": [", "\"arch\": [7, ", TS_E_FILE_SYNTAX},
   };
   ts_segmentation *out = NULL, *fresh = NULL;
@@ -206,7 +207,9 @@ static void what_is_no_session_is_refused(void) {
   deep = must_have(1000001);
   memset(deep, '[', 1000000);
   deep[1000000] = 0;
-  CHECK_STATUS(ts_session_read(s.model, deep, 1000000, NULL, &features, &out), TS_E_FILE_TRUNCATED);
+  CHECK_STATUS(ts_session_read(s.model, deep, 10, NULL, &features, &out), TS_E_FILE_TRUNCATED);
+  /* Deeper than any session: refused before its end is looked for. */
+  CHECK_STATUS(ts_session_read(s.model, deep, 1000000, NULL, &features, &out), TS_E_FILE_SYNTAX);
   CHECK(out == NULL && features == NULL);
   free(deep);
   free(text);

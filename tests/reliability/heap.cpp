@@ -16,7 +16,9 @@ namespace heap {
 namespace {
 thread_local long count = 0, fails = 0;
 [[maybe_unused]] bool fails_now() {
-  return ++count == fails;
+  if (++count != fails) return false;
+  errno = ENOMEM;
+  return true;
 }
 }  // namespace
 

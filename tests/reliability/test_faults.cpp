@@ -2,6 +2,7 @@
 // heap. The call says TS_E_OUT_OF_MEMORY, nothing has changed, nothing leaks, and the same call works afterwards.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -57,6 +58,18 @@ struct Scene {
     HOLDS(ts_segment_click(segmentation.get(), bumps.top[2].data(), nullptr, nullptr) == TS_OK);
     HOLDS(ts_undo(segmentation.get()) == TS_OK);
     session = text();
+    for (const auto &p : check::all<ts_feature_point>([&](ts_feature_point *q, std::uint32_t n, std::uint32_t *c) {
+           return ts_features_get_points(features.get(), q, n, c);
+         }))
+      if (p.group == teeth[0]) std::copy_n(p.position, 3, top.begin());
+  }
+
+  // On the surface, beside the feature point of the first tooth.
+  std::array<double, 3> beside(double dx, double dy) const {
+    const double above[3] = {top[0] + dx, top[1] + dy, 50}, down[3] = {0, 0, -1};
+    ts_surface_point at;
+    HOLDS(ts_model_raycast(model.get(), above, down, &at) == TS_OK);
+    return {at.position[0], at.position[1], at.position[2]};
   }
 
   std::vector<char> text() const {
@@ -94,6 +107,7 @@ struct Scene {
   Handle<ts_segmentation> segmentation;
   std::vector<std::uint32_t> teeth;
   std::vector<char> session;
+  std::array<double, 3> top{};  // of the first tooth
 };
 
 // ----------------------------------------------------------------------------------------------------------- the calls
@@ -229,21 +243,16 @@ std::vector<Call> calls(const std::string &folder) {
     return got != TS_OK ? got : each[0] != TS_OK ? each[0] : each[1];
   });
   step("ts_segment_all", [](Scene &, ts_segmentation *h) { return ts_segment_all(h, nullptr); });
-  step("ts_tooth_include", [](Scene &s, ts_segmentation *h) {
-    const double at[3] = {5, 1, 1};
-    return ts_tooth_include(h, s.teeth[0], at, nullptr);
-  });
+  step("ts_tooth_include",
+       [](Scene &s, ts_segmentation *h) { return ts_tooth_include(h, s.teeth[0], s.beside(1.6, 1).data(), nullptr); });
   step("ts_tooth_exclude", [](Scene &s, ts_segmentation *h) {
-    const double at[3] = {5, 0.5, 2};
-    return ts_tooth_exclude(h, s.teeth[0], at, nullptr);
+    return ts_tooth_exclude(h, s.teeth[0], s.beside(1.6, 0.5).data(), nullptr);
   });
   step("ts_tooth_split", [](Scene &s, ts_segmentation *h) {
-    const double at[3] = {1, 1, 1};
-    return ts_tooth_split(h, s.teeth[0], s.bumps.top[0].data(), at, nullptr, nullptr);
+    return ts_tooth_split(h, s.teeth[0], s.beside(0, 0).data(), s.beside(-1.6, 1).data(), nullptr, nullptr);
   });
   step("ts_tooth_move_point", [](Scene &s, ts_segmentation *h) {
-    const double at[3] = {2, 1.2, 3};
-    return ts_tooth_move_point(h, s.teeth[0], s.bumps.top[0].data(), at, nullptr);
+    return ts_tooth_move_point(h, s.teeth[0], s.beside(0, 0).data(), s.beside(-1, 1.2).data(), nullptr);
   });
   step("ts_tooth_merge",
        [](Scene &s, ts_segmentation *h) { return ts_tooth_merge(h, s.teeth[0], s.teeth[1], nullptr); });
@@ -263,7 +272,8 @@ std::vector<Call> calls(const std::string &folder) {
     HOLDS(ts_get_cut(h, s.teeth[0], 0, nullptr, p, 1 << 10, &count) == TS_OK);
     double at[9];
     for (std::uint32_t k = 0; k < 3; ++k) std::copy_n(p[k * (count / 8)].position, 3, at + 3 * k);
-    at[4] -= 0.3;
+    // The middle of the stroke lies further in.
+    for (int k = 0; k < 2; ++k) at[3 + k] -= 0.3 * (at[3 + k] - s.top[k]);
     return ts_cut_draw(h, s.teeth[0], at, 3, nullptr);
   });
   step("ts_cut_offset", [](Scene &s, ts_segmentation *h) { return ts_cut_offset(h, s.teeth[0], -0.3, nullptr); });

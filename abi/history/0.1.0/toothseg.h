@@ -21,8 +21,12 @@
  *                No exception, abort, or output to stdout or stderr crosses this interface.
  *   Threads      A function that takes a const handle may run at the same time as other such calls on the same
  *                object. One that takes a non-const handle needs that object to itself. Different objects are
- *                independent, also when they share a context or a model. ts_job_cancel may be called at any time
- *                from any thread.
+ *                independent, also when they share a context or a model. A context may be given to any number of
+ *                calls at once. ts_job_cancel and ts_job_progress may be called at any time from any thread.
+ *   Hooks        A context's hooks and their `user` pointers must live as long as anything made from it; a job's as
+ *                long as the job.
+ *   Floats       Called with the floating-point environment that C starts with: rounding to nearest, exceptions masked. Who
+ *                unmasks them (Pascal does) masks them around calls.
  *   Lifetime     A child keeps its parents alive (a segmentation its features and model, a model its context): handles
  *                may be destroyed in any order.
  *   Options      Structs that begin with struct_size are filled by their ..._init function, called with sizeof the
@@ -135,7 +139,7 @@ typedef enum ts_status {
   /* 750: the meshes of teeth */
   TS_E_NOT_CLOSED = 750, /**< a rim cannot be closed without the mesh running through itself */
 
-  TS_STATUS_FORCE_INT = 0x7fffffff /**< not a status: makes the enum 32 bits wide */
+  TS_STATUS_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_status;
 
 /** The library's version, e.g. "0.1.0". Static; any thread. */
@@ -153,25 +157,33 @@ TS_API const char *ts_last_error_message(void);
 /** Holds the hooks (allocator, log, threads) for all objects made from it. */
 typedef struct ts_context ts_context;
 
-typedef enum ts_log_level { TS_LOG_ERROR = 0, TS_LOG_WARNING = 1, TS_LOG_INFO = 2, TS_LOG_FORCE_INT = 0x7fffffff } ts_log_level;
+/** How much a line of the log matters. */
+typedef enum ts_log_level {
+  TS_LOG_ERROR = 0,   /**< not used so far: a call that fails says so in its status */
+  TS_LOG_WARNING = 1, /**< the call did its work, and something about it is odd */
+  TS_LOG_INFO = 2,    /**< what was found and how long it took */
+  TS_LOG_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
+} ts_log_level;
 
 /** Allocator hook. `alloc` returns memory aligned to 16 bytes, or NULL when there is none. Both may be called from any
- *  thread that works for the context. The large buffers of the library come from here; Eigen, OpenMesh and oneTBB keep
- *  their own. */
+ *  thread that works for the context. The large buffers of the library come from here; Eigen and oneTBB keep their
+ *  own. */
 typedef void *(*ts_alloc_fn)(size_t bytes, void *user);
+/** Gives back what `alloc` of the same hook gave; `memory` is never NULL. */
 typedef void (*ts_free_fn)(void *memory, void *user);
 
 /** Log hook: one line without newline, valid during the call only; may come from any thread that works for the context. */
 typedef void (*ts_log_fn)(ts_log_level level, const char *text, void *user);
 
+/** Hooks and threads of a context. */
 typedef struct ts_context_options {
   uint32_t struct_size; /**< set by ts_context_options_init */
   uint32_t threads;     /**< worker threads: 0 = one a core, 1 = only the calling thread, at most 1024. Default 0 */
   ts_alloc_fn alloc;    /**< NULL = the system's; give both or none */
-  ts_free_fn free;
-  void *alloc_user;
-  ts_log_fn log; /**< NULL = silent */
-  void *log_user;
+  ts_free_fn free;      /**< NULL if `alloc` is */
+  void *alloc_user;     /**< given to both as `user` */
+  ts_log_fn log;        /**< NULL = silent */
+  void *log_user;       /**< given to it as `user` */
 } ts_context_options;
 
 /** Fills `options` with the defaults. `struct_size`: sizeof(ts_context_options).
@@ -191,7 +203,8 @@ TS_API void ts_context_destroy(ts_context *context);
 typedef struct ts_job ts_job;
 
 /** Called during a long call, from a thread that works for it, one call at a time: `fraction` in [0, 1], never falling within
- *  one call; `stage` a short English name. Return 0 to go on, anything else to cancel. Must not call the library. */
+ *  one call; `stage` a short English name. Return 0 to go on, anything else to cancel: sticky, as ts_job_cancel is. Must not
+ *  call the library. */
 typedef int (*ts_progress_fn)(double fraction, const char *stage, void *user);
 
 /** Makes a job. `progress` may be NULL (then the job serves to cancel only). `out` owned by the caller.
@@ -208,6 +221,7 @@ TS_API void ts_job_reset(ts_job *job);
 /** The last reported fraction, 0 before any. Any thread. NULL gives 0. */
 TS_API double ts_job_progress(const ts_job *job);
 
+/** Gives a job back; NULL is fine. Not while a call uses it. */
 TS_API void ts_job_destroy(ts_job *job);
 
 /* ----------------------------------------------------------------------------------------------------------- model */
@@ -215,51 +229,62 @@ TS_API void ts_job_destroy(ts_job *job);
 /** A mesh after intake: welded, clean, manifold, consistently wound. Never changes once made. */
 typedef struct ts_model ts_model;
 
-typedef enum ts_scalar { TS_FLOAT32 = 0, TS_FLOAT64 = 1, TS_SCALAR_FORCE_INT = 0x7fffffff } ts_scalar;
+/** Type of the caller's coordinates. */
+typedef enum ts_scalar {
+  TS_FLOAT32 = 0, /**< float */
+  TS_FLOAT64 = 1, /**< double */
+  TS_SCALAR_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
+} ts_scalar;
 
 /** Unit of the caller's coordinates. TS_UNIT_CHECKED_MM: mm, and TS_E_MESH_UNITS if the size of the mesh contradicts
  *  it (bounding box diagonal under 9 or over 400); the others convert without a check. */
 typedef enum ts_unit {
-  TS_UNIT_CHECKED_MM = 0,
-  TS_UNIT_MM = 1,
-  TS_UNIT_CM = 2,
-  TS_UNIT_M = 3,
-  TS_UNIT_INCH = 4,
-  TS_UNIT_FORCE_INT = 0x7fffffff
+  TS_UNIT_CHECKED_MM = 0, /**< mm, checked */
+  TS_UNIT_MM = 1,         /**< mm, whatever the size */
+  TS_UNIT_CM = 2,         /**< 10 mm */
+  TS_UNIT_M = 3,          /**< 1000 mm */
+  TS_UNIT_INCH = 4,       /**< 25.4 mm */
+  TS_UNIT_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_unit;
 
+/** Formats that are read. */
 typedef enum ts_file_format {
   TS_FORMAT_AUTO = 0, /**< told from the content, not from the name */
-  TS_FORMAT_STL = 1,
-  TS_FORMAT_PLY = 2,
-  TS_FORMAT_OBJ = 3,
-  TS_FORMAT_OFF = 4,
-  TS_FORMAT_FORCE_INT = 0x7fffffff
+  TS_FORMAT_STL = 1,  /**< binary or ASCII */
+  TS_FORMAT_PLY = 2,  /**< ASCII, or binary of either byte order */
+  TS_FORMAT_OBJ = 3,  /**< `v` and `f` lines; the rest is passed over */
+  TS_FORMAT_OFF = 4,  /**< ASCII; [ST][C][N]OFF */
+  TS_FORMAT_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_file_format;
 
 /** The caller's mesh, read only during ts_model_create. */
 typedef struct ts_mesh_input {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< set by ts_mesh_input_init */
   ts_scalar scalar;          /**< type of the coordinates */
   const void *positions;     /**< x, y, z of vertex i at byte i * stride */
   uint32_t vertex_count;     /**< number of vertices */
   uint32_t stride;           /**< bytes from one vertex to the next; 0 = packed (12 or 24) */
   const uint32_t *triangles; /**< 3 indices a face; NULL = soup: vertices 3i, 3i+1, 3i+2 are face i */
   uint32_t triangle_count;   /**< number of faces; for a soup vertex_count / 3 or 0 */
+  uint32_t reserved;         /**< 0 */
 } ts_mesh_input;
 
+/** How a mesh is taken in. */
 typedef struct ts_intake_options {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< set by ts_intake_options_init */
   ts_unit unit;          /**< default TS_UNIT_CHECKED_MM */
   double weld_tolerance; /**< vertices closer than this become one, mm. Default 0: only exactly equal ones */
 } ts_intake_options;
 
+/** Fills `input` with an empty mesh of doubles. `struct_size`: sizeof(ts_mesh_input). Errors: TS_E_NULL, TS_E_STRUCT_SIZE.
+ *  Thread: any. */
 TS_API TS_NODISCARD ts_status ts_mesh_input_init(ts_mesh_input *input, uint32_t struct_size);
+/** Fills `options` with the defaults. `struct_size`: sizeof(ts_intake_options). Errors and threads: as above. */
 TS_API TS_NODISCARD ts_status ts_intake_options_init(ts_intake_options *options, uint32_t struct_size);
 
 /** What intake found and repaired. Counts of the caller's elements unless said otherwise. */
 typedef struct ts_intake_report {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< in: sizeof this struct */
   uint32_t input_vertices;        /**< as given (a soup: 3 a face) */
   uint32_t input_faces;           /**< as given; polygons count once */
   uint32_t polygons;              /**< input faces with more than 3 corners, triangulated */
@@ -294,6 +319,7 @@ TS_API TS_NODISCARD ts_status ts_model_load(ts_context *context, const char *pat
 TS_API TS_NODISCARD ts_status ts_model_read(ts_context *context, const void *bytes, size_t size, ts_file_format format,
                                             const ts_intake_options *options, ts_job *job, ts_model **out);
 
+/** Gives a model back; NULL is fine. It lives on until its last child is gone. */
 TS_API void ts_model_destroy(ts_model *model);
 
 /** Fills the report. `report->struct_size` in, the rest out. */
@@ -317,9 +343,9 @@ TS_API TS_NODISCARD ts_status ts_model_get_vertex_map(const ts_model *model, uin
 
 /** A point on the surface: a model face and the weights of its three corners (sum 1). */
 typedef struct ts_surface_point {
-  uint32_t face;
+  uint32_t face;           /**< of the model */
   uint32_t nearest_vertex; /**< the corner with the largest weight */
-  double barycentric[3];
+  double barycentric[3];   /**< weights of its corners, in their order */
   double position[3]; /**< mm */
   double distance;    /**< from the query position, or along the ray from its origin, mm */
 } ts_surface_point;
@@ -339,13 +365,16 @@ TS_API TS_NODISCARD ts_status ts_model_raycast(const ts_model *model, const doub
  *  segmentation takes a copy: editing features does not change one already made. */
 typedef struct ts_features ts_features;
 
+/** How features are found. */
 typedef struct ts_feature_options {
-  uint32_t struct_size;
-  uint32_t max_points; /**< most points a tooth. Default 8 */
+  uint32_t struct_size; /**< set by ts_feature_options_init */
+  uint32_t max_points;    /**< most points a tooth. Default 8 */
   double occlusal[3];     /**< a direction to use instead of the estimated one; 0,0,0 = estimate (default) */
   double radius;          /**< r of the convexity measure, mm. Default 2.0: about half a cusp's width */
 } ts_feature_options;
 
+/** Fills `options` with the defaults. `struct_size`: sizeof(ts_feature_options). Errors: TS_E_NULL, TS_E_STRUCT_SIZE.
+ *  Thread: any. */
 TS_API TS_NODISCARD ts_status ts_feature_options_init(ts_feature_options *options, uint32_t struct_size);
 
 /** Finds the features of a model. Errors: TS_E_NO_TEETH, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, usage. */
@@ -358,15 +387,17 @@ TS_API TS_NODISCARD ts_status ts_features_create(const ts_model *model, ts_featu
 /** Makes a copy. */
 TS_API TS_NODISCARD ts_status ts_features_clone(const ts_features *features, ts_features **out);
 
+/** Gives features back; NULL is fine. */
 TS_API void ts_features_destroy(ts_features *features);
 
+/** Counts of a set of features, and what the detection saw of the scan. */
 typedef struct ts_features_info {
-  uint32_t struct_size;
-  uint32_t groups;
-  uint32_t points;
+  uint32_t struct_size; /**< in: sizeof this struct */
+  uint32_t groups;     /**< number of groups */
+  uint32_t points;     /**< number of points in all of them */
   uint32_t inside_out; /**< 1 if the detection found that the faces look inwards; everything works all the same */
   uint32_t warnings;   /**< sum of ts_features_warning */
-  uint32_t reserved;
+  uint32_t reserved; /**< 0 */
   double opposed;      /**< roughness that faces against the occlusal direction over that which faces with it: under
                             .05 on most scans of one jaw, at most .33; .5 to 1 for two jaws in occlusion */
   double coverage;     /**< share of the roughness within 14 mm of the arch curve: .9 and more on scans of one jaw */
@@ -380,12 +411,13 @@ typedef enum ts_features_warning {
   TS_WARN_FEATURES_OPPOSED = 2,        /**< teeth look both ways: two jaws in occlusion, or the direction is wrong */
   TS_WARN_FEATURES_SEVERAL_ARCHES = 4, /**< much that is as rough as teeth lies off the arch, or the arch is longer than
                                             any jaw's: two jaws side by side */
-  TS_WARN_FEATURES_FORCE_INT = 0x7fffffff
+  TS_WARN_FEATURES_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_features_warning;
 
 /** Counts, and what the detection saw (0 in a set made by hand). `info->struct_size` in, the rest out. */
 TS_API TS_NODISCARD ts_status ts_features_get_info(const ts_features *features, ts_features_info *info);
 
+/** A feature point: where a tooth is held. */
 typedef struct ts_feature_point {
   uint32_t id;        /**< stays the same while the point exists */
   uint32_t group;     /**< id of its group */
@@ -395,19 +427,21 @@ typedef struct ts_feature_point {
   double convexity;   /**< dimensionless: 0 on a plane, 0.25 to 0.4 on a cusp; 0 for a point set by hand */
 } ts_feature_point;
 
+/** The feature points of a tooth. */
 typedef struct ts_feature_group {
   uint32_t id;        /**< stays the same while the group exists */
   uint32_t points;    /**< number of points */
   uint32_t previous;  /**< id of the neighbour group along the arch, TS_NONE at an end */
   uint32_t next;      /**< the other one */
   double centre[3];   /**< mean of its points, mm */
-  double arch_from;   /**< where its tooth begins and ends along the arch curve, mm; 0, 0 if made by hand */
-  double arch_to;
+  double arch_from;   /**< where its tooth begins along the arch curve, mm; 0 if made by hand */
+  double arch_to;     /**< where it ends, mm; 0 if made by hand */
   double confidence;  /**< 0 to 1: how sure the detection is that this is one tooth; 1 if made by hand */
 } ts_feature_group;
 
 /** The unit vector from the gums to the biting surface. */
 TS_API TS_NODISCARD ts_status ts_features_get_occlusal(const ts_features *features, double direction[3]);
+/** Sets it by hand; `direction` need not have length 1. Errors: TS_E_INVALID_ARGUMENT (no length, not finite), TS_E_NULL. */
 TS_API TS_NODISCARD ts_status ts_features_set_occlusal(ts_features *features, const double direction[3]);
 
 /** The arch curve as a polyline from one end of the arch to the other: 3 doubles a point, mm. */
@@ -425,11 +459,18 @@ TS_API TS_NODISCARD ts_status ts_features_get_groups(const ts_features *features
  *  its position). `point` and `group_out` may be NULL. Errors: TS_E_NOT_FOUND, usage. */
 TS_API TS_NODISCARD ts_status ts_features_add_point(ts_features *features, const double position[3], uint32_t group,
                                                     uint32_t *point, uint32_t *group_out);
+
+/** Moves a point to the surface point nearest to `position`; it counts as set by hand then. Errors: TS_E_NOT_FOUND, usage. */
 TS_API TS_NODISCARD ts_status ts_features_move_point(ts_features *features, uint32_t point, const double position[3]);
+
 /** Puts a point into another group (TS_NONE: a new one). A group without points ceases to exist. */
 TS_API TS_NODISCARD ts_status ts_features_set_group(ts_features *features, uint32_t point, uint32_t group,
                                                     uint32_t *group_out);
+
+/** Takes a point away, and its group with the last of them. Errors: TS_E_NOT_FOUND, TS_E_NULL. */
 TS_API TS_NODISCARD ts_status ts_features_remove_point(ts_features *features, uint32_t point);
+
+/** Takes a group away with all its points. Errors: TS_E_NOT_FOUND, TS_E_NULL. */
 TS_API TS_NODISCARD ts_status ts_features_remove_group(ts_features *features, uint32_t group);
 
 /* ---------------------------------------------------------------------------------------------------- segmentation */
@@ -437,10 +478,11 @@ TS_API TS_NODISCARD ts_status ts_features_remove_group(ts_features *features, ui
 /** A prepared scan and the teeth separated so far. */
 typedef struct ts_segmentation ts_segmentation;
 
+/** What options are initialised to. */
 typedef enum ts_preset {
   TS_PRESET_DEFAULT = 0, /**< the best we know: docs/method.md */
   TS_PRESET_PAPER = 1,   /**< the paper to the letter */
-  TS_PRESET_FORCE_INT = 0x7fffffff
+  TS_PRESET_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_preset;
 
 /** Weights of the Laplacian (paper, "Selection of weighting scheme"; Fig. 10). */
@@ -451,7 +493,7 @@ typedef enum ts_weights {
   TS_WEIGHTS_UNIFORM = 3,   /**< 1 */
   TS_WEIGHTS_FEATURE = 4,   /**< feature-preserving, as paper ref. 40: Eq. 8 without its test, so that every bend counts,
                                  convex or concave (the paper does not print the formula of ref. 40) */
-  TS_WEIGHTS_FORCE_INT = 0x7fffffff
+  TS_WEIGHTS_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_weights;
 
 /** What is held at the background value beside the neighbour tooth. */
@@ -459,7 +501,7 @@ typedef enum ts_background {
   TS_BACKGROUND_NEIGHBOUR = 0, /**< nothing: the paper's pair */
   TS_BACKGROUND_GINGIVA = 1,   /**< vertices far from every feature point */
   TS_BACKGROUND_ALL = 2,       /**< these, and the points of all other groups */
-  TS_BACKGROUND_FORCE_INT = 0x7fffffff
+  TS_BACKGROUND_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_background;
 
 /** How the contour of a tooth is chosen. */
@@ -467,12 +509,12 @@ typedef enum ts_cut_rule {
   TS_CUT_GRADIENT = 0,  /**< the paper's: largest mean gradient in [0, V_med] and (V_med, 1] */
   TS_CUT_COMPONENT = 1, /**< the component around the seeds with the best concavity x gradient, and a tooth's area */
   TS_CUT_HALF = 2,      /**< the contour half way between the tooth's value and the background's */
-  TS_CUT_FORCE_INT = 0x7fffffff
+  TS_CUT_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_cut_rule;
 
 /** Defaults are given as: default preset / paper preset. */
 typedef struct ts_segment_options {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< set by ts_segment_options_init */
   ts_preset preset;            /**< what the options were initialised to; informative */
   ts_weights weights;          /**< CONCAVITY / PAPER */
   ts_background background;    /**< ALL / NEIGHBOUR */
@@ -488,7 +530,8 @@ typedef struct ts_segment_options {
   double normal_radius;        /**< r of the smoothed normals, mm. 0.15 */
   double seed_radius;          /**< a constraint point is a disc of this radius, mm; 0 = one vertex. 0.7 / 0 */
   double gingiva_distance;     /**< from every feature point, mm, at which gingiva begins for certain. 13 */
-  double area_min, area_max;   /**< a tooth's area, mm^2, for COMPONENT and for warnings. 25, 330 */
+  double area_min;             /**< least area of a tooth, mm^2, for COMPONENT and for warnings. 25 / 25 */
+  double area_max;             /**< largest area of a tooth, mm^2. 330 / 330 */
   double hole_area;            /**< holes in a tooth's region up to this are filled, mm^2. 40 / 0 */
   double refine_band;          /**< half width of the band of the min-cut refinement, mm; 0 = none. 2.5 / 0 */
   double smooth_radius;        /**< smoothing of the final line, mm; 0 = none. 0.2 / 0 */
@@ -500,6 +543,8 @@ typedef struct ts_segment_options {
                                     again by each click that needs it: slower, the same bytes. 0 / 0 */
 } ts_segment_options;
 
+/** Fills `options` with those of a preset. `struct_size`: sizeof(ts_segment_options). Errors: TS_E_NULL, TS_E_STRUCT_SIZE,
+ *  TS_E_INVALID_ARGUMENT (no such preset). Thread: any. */
 TS_API TS_NODISCARD ts_status ts_segment_options_init(ts_segment_options *options, uint32_t struct_size, ts_preset preset);
 
 /** Prepares a scan: weights, and the factorisation that all clicks share. `features` are copied.
@@ -507,6 +552,7 @@ TS_API TS_NODISCARD ts_status ts_segment_options_init(ts_segment_options *option
 TS_API TS_NODISCARD ts_status ts_segmentation_create(const ts_features *features, const ts_segment_options *options,
                                                      ts_job *job, ts_segmentation **out);
 
+/** Gives a segmentation back; NULL is fine. */
 TS_API void ts_segmentation_destroy(ts_segmentation *segmentation);
 
 /** Separates the tooth under `position` (mm, on the surface) and its neighbour: the group closest along the surface is
@@ -517,10 +563,10 @@ TS_API void ts_segmentation_destroy(ts_segmentation *segmentation);
  *  With everything else as background, as the default preset has it, the click is evidence: where the tooth of the
  *  closest group does not hold the click, the target is the group that the field at the click is most of; where that
  *  one's tooth does not hold it either, the click makes a group of its own, held on a disc of seed_radius
- *  (TS_WARN_MADE_BY_CLICK). A click that succeeds gives the tooth that it lies on, or, on no other, within 1 mm of. A group made by a click belongs to
- *  the segmentation, not to the features: later clicks find it and have it as background; its id is the smallest larger
- *  than those of all groups of the features and of those made before it. TS_E_CLICK_ON_GINGIVA also where what could be
- *  cut out around the click is no tooth.
+ *  (TS_WARN_MADE_BY_CLICK). A click that succeeds gives the tooth that it lies on, or, on no other, within 1 mm of. A group
+ *  made by a click belongs to the segmentation, not to the features: later clicks find it and have it as background; its id
+ *  is the smallest larger than those of all groups of the features and of those made before it. TS_E_CLICK_ON_GINGIVA also
+ *  where what could be cut out around the click is no tooth.
  *
  *  `click` out, may be NULL: its number, counted from 0. Errors: TS_E_CLICK_*, TS_E_NO_CUT, TS_E_CANCELLED,
  *  TS_E_OUT_OF_MEMORY, usage. */
@@ -548,11 +594,12 @@ typedef struct ts_click_times {
   double field; /**< solve; of the slower of the two teeth where they are worked out at the same time */
   double cut;   /**< contours and selection */
   double label; /**< faces, refinement, labels */
-  double total;
+  double total; /**< of the call, but for its entry in the history */
 } ts_click_times;
 
+/** What came of a click. */
 typedef struct ts_click_info {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< in: sizeof this struct */
   uint32_t target;           /**< tooth clicked: id of its group */
   uint32_t neighbour;        /**< tooth beside it; TS_NONE if there is but one. Where no cut was found for it,
                                   ts_get_tooth says TS_E_NOT_FOUND: the tooth clicked stands alone */
@@ -562,10 +609,13 @@ typedef struct ts_click_info {
   double v_med;              /**< centre of the fullest bin (Fig. 4C) */
   double target_iso;         /**< chosen iso-values */
   double neighbour_iso;      /**< NaN if there is no neighbour */
-  ts_click_times ms;
+  ts_click_times ms;         /**< how long it took */
 } ts_click_info;
 
+/** How many clicks have succeeded so far. Errors: TS_E_NULL. */
 TS_API TS_NODISCARD ts_status ts_get_click_count(const ts_segmentation *segmentation, uint32_t *count);
+
+/** `click`: counted from 0. `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND, TS_E_NULL, TS_E_STRUCT_SIZE. */
 TS_API TS_NODISCARD ts_status ts_get_click(const ts_segmentation *segmentation, uint32_t click, ts_click_info *info);
 
 /** u of Eq. 3 for a click, a value a model vertex: 0 on the target, 1 on the neighbour; NaN on pieces of the mesh that
@@ -579,22 +629,24 @@ TS_API TS_NODISCARD ts_status ts_get_histogram(const ts_segmentation *segmentati
 
 /** One iso-value's contour of a click's field (Fig. 4A). */
 typedef struct ts_contour_info {
-  double iso;
-  double gradient;  /**< mean of |grad u| along it, 1/mm */
-  double concavity; /**< share of it in concave valleys, 0 to 1 */
-  double length;    /**< mm */
-  uint32_t points;  /**< in all its polylines */
-  uint32_t polylines;
-  uint32_t chosen;  /**< 1 = cut of the target, 2 = of the neighbour, 0 = neither */
+  double iso;         /**< the value */
+  double gradient;    /**< mean of |grad u| along it, 1/mm */
+  double concavity;   /**< share of it in concave valleys, 0 to 1 */
+  double length;      /**< mm */
+  uint32_t points;    /**< in all its polylines */
+  uint32_t polylines; /**< number of these */
+  uint32_t chosen;    /**< 1 = cut of the target, 2 = of the neighbour, 0 = neither */
 } ts_contour_info;
 
+/** All contours of a click, by rising iso-value (ts_segment_options::contours of them). Errors: TS_E_NOT_FOUND, usage. */
 TS_API TS_NODISCARD ts_status ts_get_contours(const ts_segmentation *segmentation, uint32_t click,
                                               ts_contour_info *contours, uint32_t capacity, uint32_t *count);
 
 /** A point of a contour or cut: on the edge from model vertex `a` to `b`, at (1 - t) a + t b. */
 typedef struct ts_edge_point {
-  uint32_t a, b;
-  double t;
+  uint32_t a;         /**< model vertex */
+  uint32_t b;         /**< model vertex */
+  double t;           /**< 0 at a, 1 at b */
   double position[3]; /**< mm */
 } ts_edge_point;
 
@@ -606,8 +658,8 @@ TS_API TS_NODISCARD ts_status ts_get_contour_points(const ts_segmentation *segme
 
 /** A separated tooth. Its id is the id of its feature group, or of the group that a click made (ts_segment_click). */
 typedef struct ts_tooth_info {
-  uint32_t struct_size;
-  uint32_t id;
+  uint32_t struct_size; /**< in: sizeof this struct */
+  uint32_t id;         /**< of the tooth */
   uint32_t label;      /**< what ts_get_labels writes: place of its feature group along the arch counted from 1; of the
                             n-th group made by a click the number of feature groups + n; not an FDI number */
   uint32_t click;      /**< the click that separated it (last) */
@@ -620,6 +672,7 @@ typedef struct ts_tooth_info {
   double gradient;     /**< mean of |grad u| along it, 1/mm */
   double confidence;   /**< 0 to 1 */
   uint32_t warnings;   /**< sum of ts_tooth_warning */
+  uint32_t reserved;   /**< 0 */
 } ts_tooth_info;
 
 /** What looks wrong about a tooth. */
@@ -634,24 +687,32 @@ typedef enum ts_tooth_warning {
   TS_WARN_TWO_GROUPS = 128,   /**< a feature point of another group lies on it, before overlaps are resolved */
   TS_WARN_FLAT_TOP = 256,     /**< its top is one plane: a scan body or a post, not a crown */
   TS_WARN_MADE_BY_CLICK = 512, /**< no feature group lies on it: the click alone says that it is a tooth */
-  TS_WARN_FORCE_INT = 0x7fffffff
+  TS_WARN_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_tooth_warning;
 
 /** Ids of the teeth separated so far, along the arch. */
 TS_API TS_NODISCARD ts_status ts_get_teeth(const ts_segmentation *segmentation, uint32_t *teeth, uint32_t capacity,
                                            uint32_t *count);
+
+/** `tooth`: id. `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND, TS_E_NULL, TS_E_STRUCT_SIZE. */
 TS_API TS_NODISCARD ts_status ts_get_tooth(const ts_segmentation *segmentation, uint32_t tooth, ts_tooth_info *info);
+
+/** Model faces of a tooth, ascending, those that another tooth holds as well included. Errors: TS_E_NOT_FOUND, usage. */
 TS_API TS_NODISCARD ts_status ts_get_tooth_faces(const ts_segmentation *segmentation, uint32_t tooth, uint32_t *faces,
                                                  uint32_t capacity, uint32_t *count);
+
+/** Model vertices of these faces, ascending. Errors: TS_E_NOT_FOUND, usage. */
 TS_API TS_NODISCARD ts_status ts_get_tooth_vertices(const ts_segmentation *segmentation, uint32_t tooth,
                                                     uint32_t *vertices, uint32_t capacity, uint32_t *count);
+
 /** Model vertices held as this tooth's constraint. */
 TS_API TS_NODISCARD ts_status ts_get_tooth_seeds(const ts_segmentation *segmentation, uint32_t tooth, uint32_t *vertices,
                                                  uint32_t capacity, uint32_t *count);
 
+/** A loop of a cut. */
 typedef struct ts_cut_info {
-  uint32_t struct_size;
-  uint32_t points;
+  uint32_t struct_size; /**< in: sizeof this struct */
+  uint32_t points;  /**< number of these */
   uint32_t closed;  /**< 1: the last point is joined to the first */
   double length;    /**< mm */
   double iso;       /**< iso-value it was chosen at */
@@ -671,20 +732,21 @@ TS_API TS_NODISCARD ts_status ts_get_labels(const ts_segmentation *segmentation,
 
 /** Milliseconds of the preparation. */
 typedef struct ts_prepare_times {
-  uint32_t struct_size;
-  uint32_t reserved;
+  uint32_t struct_size; /**< in: sizeof this struct */
+  uint32_t reserved; /**< 0 */
   double intake;    /**< of the model */
   double features;  /**< of the detection; 0 if set by hand */
   double weights;   /**< curvature, concavity, weights */
-  double factorise;
+  double factorise; /**< constraints, ordering, factorisation */
 } ts_prepare_times;
 
+/** `times->struct_size` in, the rest out. Errors: TS_E_NULL, TS_E_STRUCT_SIZE. */
 TS_API TS_NODISCARD ts_status ts_get_prepare_times(const ts_segmentation *segmentation, ts_prepare_times *times);
 
 /** Bytes that are kept. Most of them come from the context's allocator. */
 typedef struct ts_memory_info {
-  uint32_t struct_size;
-  uint32_t reserved;
+  uint32_t struct_size; /**< in: sizeof this struct */
+  uint32_t reserved; /**< 0 */
   uint64_t model;        /**< of the model, which segmentations share */
   uint64_t segmentation; /**< of what a segmentation keeps beside it, the factor included: what memory_limit bounds */
   uint64_t factor;       /**< of the factor, as far as it is kept */
@@ -710,7 +772,7 @@ typedef struct ts_review_item {
   uint32_t tooth;          /**< id of its group */
   uint32_t separated;      /**< 0: no cut has been made for this group so far */
   uint32_t warnings;       /**< sum of ts_tooth_warning */
-  uint32_t reserved;
+  uint32_t reserved; /**< 0 */
   double confidence;       /**< of the tooth, 0 to 1; 0 where it is not separated */
   double group_confidence; /**< that the group is exactly one tooth; 1 for groups made by hand */
 } ts_review_item;
@@ -755,34 +817,42 @@ TS_API TS_NODISCARD ts_status ts_tooth_remove(ts_segmentation *segmentation, uin
 /** `locked` 1: nothing changes the tooth until it is unlocked (0): a click on it is refused (TS_E_LOCKED), and as a
  *  neighbour it is left as it is. Errors: TS_E_NO_CHANGE where it is so already, TS_E_NOT_FOUND, usage. */
 TS_API TS_NODISCARD ts_status ts_tooth_set_locked(ts_segmentation *segmentation, uint32_t tooth, uint32_t locked);
+
+/** `locked` out: 1 or 0. Errors: TS_E_NOT_FOUND, TS_E_NULL. */
 TS_API TS_NODISCARD ts_status ts_tooth_get_locked(const ts_segmentation *segmentation, uint32_t tooth, uint32_t *locked);
 
 /** Faces that two teeth hold. In ts_get_labels they go to the tooth that is locked, or, where neither or both are, to the
  *  one whose nearest seed is nearer to the middle of the face; ts_get_tooth_faces has them for both. */
 typedef struct ts_overlap {
-  uint32_t winner, loser; /**< ids of the teeth */
-  uint32_t faces;         /**< of the model */
-  uint32_t reserved;
-  double area;            /**< mm^2 */
+  uint32_t winner; /**< id of the tooth that they go to */
+  uint32_t loser;  /**< id of the other one */
+  uint32_t faces;  /**< of the model */
+  uint32_t reserved; /**< 0 */
+  double area; /**< mm^2 */
 } ts_overlap;
 
+/** All of them, by pairs of teeth. Errors: TS_E_NULL, TS_E_BUFFER_TOO_SMALL. */
 TS_API TS_NODISCARD ts_status ts_get_overlaps(const ts_segmentation *segmentation, ts_overlap *overlaps, uint32_t capacity,
                                               uint32_t *count);
 
-/** Takes back the last step, or brings it again: the teeth, clicks and groups are then, byte for byte, what they were. A
- *  new step forgets what was taken back. Errors: TS_E_NO_HISTORY, usage. */
+/** Takes back the last step: the teeth, clicks and groups are then, byte for byte, what they were. Errors: TS_E_NO_HISTORY,
+ *  usage. */
 TS_API TS_NODISCARD ts_status ts_undo(ts_segmentation *segmentation);
+
+/** Brings again the step that was taken back last. A new step forgets those. Errors: TS_E_NO_HISTORY, usage. */
 TS_API TS_NODISCARD ts_status ts_redo(ts_segmentation *segmentation);
 
+/** The steps that are kept. */
 typedef struct ts_history_info {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< in: sizeof this struct */
   uint32_t undo;     /**< steps that can be taken back */
   uint32_t redo;     /**< steps that can be brought again */
   uint32_t complete; /**< 1: back to the beginning; 0: the limit has dropped the oldest */
   uint64_t bytes;    /**< about what the steps keep */
-  uint64_t limit;
+  uint64_t limit;    /**< how much they may (ts_set_history_limit) */
 } ts_history_info;
 
+/** `info->struct_size` in, the rest out. Errors: TS_E_NULL, TS_E_STRUCT_SIZE. */
 TS_API TS_NODISCARD ts_status ts_get_history(const ts_segmentation *segmentation, ts_history_info *info);
 
 /** How many bytes the steps may keep; the oldest are dropped over it, at once. 256 MiB unless set. */
@@ -793,7 +863,8 @@ TS_API TS_NODISCARD ts_status ts_get_changes(const ts_segmentation *segmentation
                                              uint32_t *count);
 
 /** Called on the thread of the call that changed something, after the change, with what ts_get_changes tells; `teeth` lives
- *  as long as the callback. It may read the segmentation, and must not change or destroy it. */
+ *  as long as the callback. It may read the segmentation and must not destroy it; calls that would change it are refused
+ *  (TS_E_INVALID_ARGUMENT). */
 typedef void (*ts_change_fn)(void *user, const uint32_t *teeth, uint32_t count);
 
 /** `callback` NULL: none. Errors: TS_E_NULL. */
@@ -822,15 +893,20 @@ TS_API TS_NODISCARD ts_status ts_session_load(const ts_model *model, const char 
 /* --------------------------------------------------------------------------------------------------------- numbers */
 
 /** The jaw of a scan. */
-typedef enum ts_jaw { TS_JAW_UNKNOWN = 0, TS_JAW_UPPER = 1, TS_JAW_LOWER = 2, TS_JAW_FORCE_INT = 0x7fffffff } ts_jaw;
+typedef enum ts_jaw {
+  TS_JAW_UNKNOWN = 0, /**< not known */
+  TS_JAW_UPPER = 1,   /**< maxilla */
+  TS_JAW_LOWER = 2,   /**< mandible */
+  TS_JAW_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
+} ts_jaw;
 
 /** How numbers are told. */
 typedef struct ts_number_options {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< set by ts_number_options_init */
   ts_jaw jaw;              /**< UNKNOWN (default): estimated */
   uint32_t mirrored;       /**< 1: the scan is a mirror image of the patient, so left and right change places. No scan
                                 shows whether it is one. Default 0 */
-  uint32_t reserved;
+  uint32_t reserved; /**< 0 */
   double least_confidence; /**< 0 to 1: a number or a jaw under it is uncertain. Default 0.9 */
 } ts_number_options;
 
@@ -862,7 +938,7 @@ TS_API TS_NODISCARD ts_status ts_set_number(ts_segmentation *segmentation, uint3
 
 /** The number of a tooth. */
 typedef struct ts_number_info {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< in: sizeof this struct */
   uint32_t fdi;         /**< the most probable, also where it is uncertain */
   uint32_t set_by_hand; /**< 1: by ts_set_number */
   uint32_t uncertain;   /**< 1: confidence under least_confidence: to be shown to a person before it is used */
@@ -875,7 +951,7 @@ TS_API TS_NODISCARD ts_status ts_get_number(const ts_segmentation *segmentation,
 
 /** The jaw that the numbers are of. */
 typedef struct ts_jaw_info {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< in: sizeof this struct */
   ts_jaw jaw;         /**< the more probable, also where it is uncertain */
   uint32_t given;     /**< 1: by the options or by a number set by hand */
   uint32_t uncertain; /**< 1: confidence under least_confidence */
@@ -885,14 +961,16 @@ typedef struct ts_jaw_info {
 /** `info->struct_size` in, the rest out. Errors: TS_E_NOT_FOUND (no numbers were assigned), TS_E_NULL, TS_E_STRUCT_SIZE. */
 TS_API TS_NODISCARD ts_status ts_get_jaw(const ts_segmentation *segmentation, ts_jaw_info *info);
 
-/** FDI to Universal (1 to 32 from the upper right third molar to the upper left, on from the lower left to the lower
- *  right) and back. Errors: TS_E_INVALID_ARGUMENT (no number of a permanent tooth), TS_E_NULL. Thread: any. */
+/** FDI to Universal: 1 to 32 from the upper right third molar to the upper left, on from the lower left to the lower
+ *  right. Errors: TS_E_INVALID_ARGUMENT (no number of a permanent tooth), TS_E_NULL. Thread: any. */
 TS_API TS_NODISCARD ts_status ts_fdi_to_universal(uint32_t fdi, uint32_t *universal);
+
+/** And back. Errors and threads: as ts_fdi_to_universal. */
 TS_API TS_NODISCARD ts_status ts_universal_to_fdi(uint32_t universal, uint32_t *fdi);
 
 /** A number as Palmer's notation has it. */
 typedef struct ts_palmer {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< in: sizeof this struct */
   uint32_t quadrant; /**< as in FDI: 1 upper right, 2 upper left, 3 lower left, 4 lower right */
   uint32_t position; /**< 1 (central incisor) to 8 */
   char letters[4];   /**< "UR6" */
@@ -902,9 +980,10 @@ typedef struct ts_palmer {
 /** `palmer->struct_size` in, the rest out. Errors: TS_E_INVALID_ARGUMENT (no FDI number of a permanent tooth), TS_E_NULL,
  *  TS_E_STRUCT_SIZE. Thread: any. */
 TS_API TS_NODISCARD ts_status ts_fdi_to_palmer(uint32_t fdi, ts_palmer *palmer);
+
 /* ---------------------------------------------------------------------------------------------------- edit the cut */
 
-/* Corrections of a tooth's cut by hand, What they have in common:
+/* Corrections of a tooth's cut by hand. What they have in common:
  *   After each the cut is closed where it was, crosses no triangle twice, and lies on edges of the mesh; faces, vertices,
  *   area, warnings, gradient, concavity and confidence of the tooth are those of the new cut. A face that the new cut
  *   crosses belongs to the tooth with more than half of its area within; faces further away stay. The iso-value stays that
@@ -950,21 +1029,22 @@ TS_API TS_NODISCARD ts_status ts_cut_smooth(ts_segmentation *segmentation, uint3
 /** Gives the tooth the cut of its click again and forgets its edits. TS_OK also where there are none. */
 TS_API TS_NODISCARD ts_status ts_cut_reset(ts_segmentation *segmentation, uint32_t tooth);
 
+/** What an edit did. */
 typedef enum ts_edit_kind {
-  TS_EDIT_DRAG = 1,
-  TS_EDIT_DRAW = 2,
-  TS_EDIT_OFFSET = 3,
-  TS_EDIT_SMOOTH = 4,
-  TS_EDIT_FORCE_INT = 0x7fffffff
+  TS_EDIT_DRAG = 1,   /**< ts_cut_drag */
+  TS_EDIT_DRAW = 2,   /**< ts_cut_draw */
+  TS_EDIT_OFFSET = 3, /**< ts_cut_offset */
+  TS_EDIT_SMOOTH = 4, /**< ts_cut_smooth */
+  TS_EDIT_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_edit_kind;
 
 /** An edit that is kept. */
 typedef struct ts_cut_edit {
-  ts_edit_kind kind;
+  ts_edit_kind kind; /**< which of them */
   ts_status status;  /**< TS_OK: it shows in the cut; else why it was dropped when the tooth was last separated again. A
                           dropped edit is tried again the next time */
   uint32_t points;   /**< 2 of a drag, those of a stroke, 0 of the others */
-  uint32_t reserved;
+  uint32_t reserved; /**< 0 */
   double amount;     /**< reach, mm or strength as given; 0 of a stroke */
   double from[3];    /**< of a drag where the cut was taken, of a stroke its first point, mm */
   double to[3];      /**< of a drag where it was taken to, of a stroke its last point, mm */
@@ -974,6 +1054,7 @@ typedef struct ts_cut_edit {
  *  Errors: TS_E_NULL, TS_E_NOT_FOUND, TS_E_BUFFER_TOO_SMALL. */
 TS_API TS_NODISCARD ts_status ts_get_cut_edits(const ts_segmentation *segmentation, uint32_t tooth, ts_cut_edit *edits,
                                                uint32_t capacity, uint32_t *count);
+
 /* ------------------------------------------------------------------------------ meshes of teeth and gingiva, files */
 
 /** A tooth, or the gingiva, as a mesh of its own, cut exactly along the cuts of the teeth: triangles that a cut crosses are
@@ -981,11 +1062,12 @@ TS_API TS_NODISCARD ts_status ts_get_cut_edits(const ts_segmentation *segmentati
  *  tooth with the nearest constraint point (ts_get_tooth_seeds), as ts_get_labels has it for whole faces: the teeth meet
  *  where these are equally far, and ts_mesh_info::lost says how much that took off. The meshes of all teeth and of the
  *  gingiva, open, add up to the model, and vertices on cuts have the same coordinates in both meshes, bit for bit. They
- *  belong to the teeth separated when they are made. Never changes once made; */
+ *  belong to the teeth separated when they are made. Never changes once made. */
 typedef struct ts_mesh ts_mesh;
 
+/** How meshes of teeth are made. */
 typedef struct ts_tooth_mesh_options {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< set by ts_tooth_mesh_options_init */
   uint32_t closed; /**< 1: all rims are closed by smooth membranes, those of the scan (holes, open ends) as well. Default 0 */
 } ts_tooth_mesh_options;
 
@@ -1007,11 +1089,12 @@ TS_API TS_NODISCARD ts_status ts_gingiva_mesh_create(const ts_segmentation *segm
 /** Gives a mesh back; NULL is fine. */
 TS_API void ts_mesh_destroy(ts_mesh *mesh);
 
+/** Counts and measures of a mesh. */
 typedef struct ts_mesh_info {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< in: sizeof this struct */
   uint32_t label;          /**< ts_tooth_info::label, 0 of the gingiva */
-  uint32_t vertices;
-  uint32_t triangles;
+  uint32_t vertices;       /**< number of vertices */
+  uint32_t triangles;      /**< number of triangles */
   uint32_t fill_triangles; /**< of these, at the end: those that close it */
   uint32_t cut_vertices;   /**< that it shares with other parts */
   uint32_t open_rims;      /**< 0: watertight */
@@ -1045,25 +1128,25 @@ TS_API TS_NODISCARD ts_status ts_mesh_get_triangles(const ts_mesh *mesh, uint32_
  *  ts_mesh_get_triangles. */
 TS_API TS_NODISCARD ts_status ts_mesh_get_faces(const ts_mesh *mesh, uint32_t *faces, uint32_t capacity, uint32_t *count);
 
-/** What a vertex is. Values are fixed; */
+/** What a vertex is. */
 typedef enum ts_mesh_vertex_flag {
   TS_VERTEX_ON_CUT = 1,  /**< shared with another part */
   TS_VERTEX_ON_RIM = 2,  /**< on a rim of the scan */
   TS_VERTEX_OF_FILL = 4, /**< made to close the mesh */
-  TS_VERTEX_FORCE_INT = 0x7fffffff
+  TS_VERTEX_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_mesh_vertex_flag;
 
 /** For each vertex a sum of ts_mesh_vertex_flag. Otherwise as ts_mesh_get_positions. */
 TS_API TS_NODISCARD ts_status ts_mesh_get_vertex_flags(const ts_mesh *mesh, uint8_t *flags, uint32_t capacity,
                                                        uint32_t *count);
 
-/** Formats that are written. Values are fixed; */
+/** Formats that are written. */
 typedef enum ts_output_format {
   TS_OUTPUT_STL = 0, /**< binary; floats */
   TS_OUTPUT_PLY = 1, /**< binary; floats; red, green, blue (uchar) and label (int) a triangle */
   TS_OUTPUT_OBJ = 2, /**< a group a part, of shared vertices */
   TS_OUTPUT_GLB = 3, /**< glTF 2.0 binary, in m as it has to be: a mesh and a node a part, floats */
-  TS_OUTPUT_FORCE_INT = 0x7fffffff
+  TS_OUTPUT_FORCE_INT = 0x7fffffff /**< no value: makes the enum 32 bits wide */
 } ts_output_format;
 
 /** Writes a mesh to a file. `path`: UTF-8; it is written to a temporary file beside it and renamed, so that nothing is left half
@@ -1072,8 +1155,9 @@ typedef enum ts_output_format {
  *  TS_E_INVALID_ARGUMENT, TS_E_CANCELLED, TS_E_OUT_OF_MEMORY, TS_E_NULL. Thread: const. */
 TS_API TS_NODISCARD ts_status ts_mesh_save(const ts_mesh *mesh, const char *path, ts_output_format format, ts_job *job);
 
+/** How a segmentation is written. */
 typedef struct ts_save_options {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< set by ts_save_options_init */
   uint32_t whole_faces; /**< 1: the model's faces as they are, each of the tooth that ts_get_labels says. Default 0: split
                              along the cuts */
 } ts_save_options;
@@ -1089,7 +1173,7 @@ TS_API TS_NODISCARD ts_status ts_segmentation_save(const ts_segmentation *segmen
 
 /** Which way a tooth looks, and its extent that way over the faces of ts_get_tooth_faces. */
 typedef struct ts_tooth_frame {
-  uint32_t struct_size;
+  uint32_t struct_size; /**< in: sizeof this struct */
   uint32_t from_arch;  /**< 1: mesial is along the arch curve; 0: there is none (features made by hand), and mesial is the
                             direction in which the tooth is widest, to either side */
   double centre[3];    /**< of the area of its faces, mm */
