@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the binding costs: overhead.py LIBDIR BINDIR prints, as JSON, ns a no-op call (of the fastest of
 many batches, so that what else the machine does has no say) and ms (median of 50) a read-back of the
-labels of a scan with 300,000 faces, into a new array and into the same one again, and both in C (overhead.c, compiled for it).
+labels of a scan with 300,000 faces, into a new array and into the same one again (../overhead.sh: beside C).
 LIBDIR has libtoothseg.so, and ../include; BINDIR make-arch."""
 import json
 import os
@@ -14,7 +14,6 @@ import time
 import timeit
 
 CALLS, BATCHES, RUNS = 500, 400, 50
-HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def median_ms(call):
@@ -35,16 +34,8 @@ def in_python(scan):
          toothseg.Features.detect(model) as features, toothseg.Segmentation(features) as segmentation:
         segmentation.segment_all()
         out = np.empty_like(segmentation.labels())
-        return {"noop_ns": round(batch * 1e9 / CALLS), "faces": len(out), "labels_ms": median_ms(segmentation.labels),
+        return {"call_ns": round(batch * 1e9 / CALLS), "faces": len(out), "labels_ms": median_ms(segmentation.labels),
                 "labels_into_ms": median_ms(lambda: segmentation.labels(out))}
-
-
-def in_c(libraries, scan, program):
-    subprocess.run(["cc", "-O2", "-o", program, os.path.join(HERE, "overhead.c"), "-I", os.path.join(libraries, "..", "include"),
-                    "-L", libraries, "-ltoothseg"], check=True)
-    run = subprocess.run([program, scan], env={**os.environ, "LD_LIBRARY_PATH": libraries}, check=True, stdout=subprocess.PIPE)
-    noop, _, labels = run.stdout.split()
-    return {"c_noop_ns": float(noop), "c_labels_ms": float(labels)}
 
 
 def main():
@@ -56,7 +47,7 @@ def main():
         scan = os.path.join(folder, "arch.ply")
         subprocess.run([os.path.join(programs, "make-arch"), scan, "--triangles", "300000"], check=True,
                        env={**os.environ, "LD_LIBRARY_PATH": libraries}, stdout=subprocess.DEVNULL)
-        print(json.dumps({**in_python(scan), **in_c(libraries, scan, os.path.join(folder, "overhead"))}))
+        print(json.dumps(in_python(scan)))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-/* overhead.js in C, to compare with: cc -O2 overhead.c $(pkg-config --cflags --libs toothseg) -o overhead; overhead SCAN
+/* What the bindings' overhead programs measure, in C, to compare with: overhead SCAN, in JSON. overhead.sh runs all.
  * SPDX-License-Identifier: Apache-2.0 */
 #define _POSIX_C_SOURCE 200112L
 #include <stdio.h>
