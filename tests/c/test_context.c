@@ -125,6 +125,11 @@ static void all_memory_is_given_back(void) {
 
 /* Each of the first allocations fails once, then ever rarer ones up to the last: a status and no leak each time, and
  * the same context does its work afterwards. */
+#ifdef __SANITIZE_ADDRESS__
+enum { RARER = 1 }; /* ten times as slow; test_faults has all of them */
+#else
+enum { RARER = 4 };
+#endif
 static void running_out_of_memory_is_a_status(void) {
   memory m;
   mesh arch = make_arch(5000);
@@ -133,7 +138,7 @@ static void running_out_of_memory_is_a_status(void) {
   ts_context *context = context_with(&m);
   REQUIRE_STATUS(whole_way(context, &arch, &teeth), TS_OK);
   whole = m.taken;
-  for (n = 1; n <= whole; n += 1 + n / 4) {
+  for (n = 1; n <= whole; n += 1 + n / RARER) {
     harness_case("allocation %ld of %ld fails", n, whole);
     m.taken = 0;
     m.fails_at = n;

@@ -102,6 +102,11 @@ static void make_segmentation_anew(void) {
   if (ts_segmentation_create(s.features, NULL, NULL, &s.segmentation) != TS_OK) exit(3);
 }
 
+#ifdef __SANITIZE_ADDRESS__
+enum { RARER = 2 }; /* ten times as slow */
+#else
+enum { RARER = 8 };
+#endif
 /* Stopped at the first callback, the second, and so on: nothing has changed each time. */
 static void stopped_at_any_callback(void) {
   size_t i;
@@ -119,7 +124,7 @@ static void stopped_at_any_callback(void) {
     whole = w.calls;
     make_segmentation_anew();
     before = dump_segmentation(s.segmentation);
-    for (at = 1; at <= whole; at += 1 + at / 8) {
+    for (at = 1; at <= whole; at += 1 + at / RARER) {
       bytes after;
       ts_status status;
       harness_case("%s stopped at callback %ld of %ld", calls[i].name, at, whole);
