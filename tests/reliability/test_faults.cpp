@@ -268,12 +268,11 @@ std::vector<Call> calls(const std::string &folder) {
   });
   step("ts_cut_draw", [](Scene &s, ts_segmentation *h) {
     ts_edge_point p[1 << 10];
-    std::uint32_t count;
-    HOLDS(ts_get_cut(h, s.teeth[0], 0, nullptr, p, 1 << 10, &count) == TS_OK);
-    double at[9];
-    for (std::uint32_t k = 0; k < 3; ++k) std::copy_n(p[k * (count / 8)].position, 3, at + 3 * k);
-    // The middle of the stroke lies further in.
-    for (int k = 0; k < 2; ++k) at[3 + k] -= 0.3 * (at[3 + k] - s.top[k]);
+    std::uint32_t n;
+    HOLDS(ts_get_cut(h, s.teeth[0], 0, nullptr, p, 1 << 10, &n) == TS_OK);
+    double at[9];  // an open line, from one of its ends to the other
+    for (const std::uint32_t k : {0u, 1u, 2u}) std::copy_n(p[(n - 2 + k) % n].position, 3, at + 3 * k);
+    at[3] -= 1;
     return ts_cut_draw(h, s.teeth[0], at, 3, nullptr);
   });
   step("ts_cut_offset", [](Scene &s, ts_segmentation *h) { return ts_cut_offset(h, s.teeth[0], -0.3, nullptr); });
@@ -459,7 +458,7 @@ void each_allocation_fails(Scene &s, const Hook &hook, const Call &call, const c
 }  // namespace
 
 int main(int argc, char **argv) {
-  if (argc != 2) return std::fprintf(stderr, "usage: test_faults FOLDER\n"), 2;
+  if (argc < 2 || argc > 3) return std::fprintf(stderr, "usage: test_faults FOLDER [CALL]\n"), 2;
   std::setvbuf(stdout, nullptr, _IOLBF, 1024);
   static Hook hook;
   const std::vector<Call> all = calls(argv[1]);
@@ -468,6 +467,7 @@ int main(int argc, char **argv) {
                              nullptr, nullptr) == TS_OK);
   HOLDS(ts_session_save(s.segmentation.get(), (std::string(argv[1]) + "/faults.json").c_str()) == TS_OK);
   for (const Call &call : all) {
+    if (argc > 2 && std::strcmp(call.name, argv[2]) != 0) continue;
     each_allocation_fails(
         s, hook, call, "hook", [&] { return hook.taken; }, [&](long n) { hook.fails_at = n ? hook.taken + n : 0; });
     if (heap::can_fail) each_allocation_fails(s, hook, call, "C heap", heap::taken, heap::fail_at);
