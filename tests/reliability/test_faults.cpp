@@ -268,10 +268,10 @@ std::vector<Call> calls(const std::string &folder) {
   });
   step("ts_cut_draw", [](Scene &s, ts_segmentation *h) {
     ts_edge_point p[1 << 10];
-    std::uint32_t n;
-    HOLDS(ts_get_cut(h, s.teeth[0], 0, nullptr, p, 1 << 10, &n) == TS_OK);
+    std::uint32_t points;
+    HOLDS(ts_get_cut(h, s.teeth[0], 0, nullptr, p, 1 << 10, &points) == TS_OK);
     double at[9];  // an open line, from one of its ends to the other
-    for (const std::uint32_t k : {0u, 1u, 2u}) std::copy_n(p[(n - 2 + k) % n].position, 3, at + 3 * k);
+    for (const std::uint32_t k : {0u, 1u, 2u}) std::copy_n(p[(points - 2 + k) % points].position, 3, at + 3 * k);
     at[3] -= 1;
     return ts_cut_draw(h, s.teeth[0], at, 3, nullptr);
   });
