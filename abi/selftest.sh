@@ -88,7 +88,7 @@ change "enum values swapped" "layout compare types" header 's/TS_OUTPUT_OBJ = 2/
 change "status renumbered" "layout compare types" header 's/TS_E_CANCELLED = 201/TS_E_CANCELLED = 203/'
 change "macro value changed" "layout compare" header 's/^#define TS_NONE UINT32_MAX/#define TS_NONE 4294967294/'
 change "struct grown in the middle" "layout compare types" header 's/^  double fill_area;/  double added;\n&/'
-change "struct grown within its padding" "compare types" header 's/^} ts_tooth_info;/  uint32_t added;\n&/'
+change "struct grown within its padding" "compare types" header 's/^} ts_contour_info;/  uint32_t added;\n&/'
 change "struct grown that has no struct_size" "layout compare types" header 's/^} ts_contour_info;/  double added;\n&/'
 change "struct grown, and a field of it retyped" "compare types" header "$grown; s/^  uint32_t open_rims;/  int32_t open_rims;/"
 change "field retyped, of the same size" "compare types" header 's/^  uint32_t open_rims;/  int32_t open_rims;/'
