@@ -18,13 +18,15 @@ inline __attribute__((always_inline)) const Lanes &at(const double *p) {
   return *reinterpret_cast<const Lanes *>(p);
 }
 
-// The same where they do not begin at a multiple of their size.
-typedef double Loose __attribute__((vector_size(8 * kLanes), may_alias, aligned(8)));
-inline __attribute__((always_inline)) Loose &loose(double *p) {
-  return *reinterpret_cast<Loose *>(p);
+// The same where they do not begin at a multiple of their size. Not by a type of less alignment: clang forgets that where
+// a reference is returned.
+inline __attribute__((always_inline)) Lanes loose(const double *p) {
+  Lanes v;
+  __builtin_memcpy(&v, p, sizeof v);
+  return v;
 }
-inline __attribute__((always_inline)) const Loose &loose(const double *p) {
-  return *reinterpret_cast<const Loose *>(p);
+inline __attribute__((always_inline)) void put_loose(double *p, Lanes v) {
+  __builtin_memcpy(p, &v, sizeof v);
 }
 
 constexpr size_t kBlock = 64;  // pivots taken at a time: 64 columns of a front stay in the second cache
@@ -154,7 +156,7 @@ inline __attribute__((always_inline)) void minus_product(const double *panel, si
     for (size_t v = 0; v < V; ++v) s[0][v] += s[c][v];
   for (size_t v = 0; v < V; ++v)
     if (kLanes * (v + 1) <= width)
-      loose(out + kLanes * v) = s[0][v];
+      put_loose(out + kLanes * v, s[0][v]);
     else
       for (size_t j = kLanes * v; j < width; ++j) out[j] = s[0][v][j - kLanes * v];
 }

@@ -52,7 +52,7 @@ int main(int argc, char **argv) {
   write(folder / "off" / "colours", "STCOFF 3 1 0\n0 0 0 1 1 1 1 0 0\n9 0 0 1 1 1 1 0 0\n0 9 0 1 1 1 1 0 0\n3 0 1 2\n");
 
   // Sessions after every kind of step.
-  const auto save = [&, n = 0]() mutable {
+  auto save = [&, n = 0]() mutable {
     const auto text = check::all<char>(
         [&](char *p, std::uint32_t c, std::uint32_t *k) { return ts_session_write(s.get(), p, c, k); });
     write(folder / "session" / std::to_string(n++), std::string(text.begin(), text.end()));
