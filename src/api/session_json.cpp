@@ -189,6 +189,7 @@ Set::State features_of(const Place &f, std::size_t vertices) {
     for (const Set::Group &other : s.groups)
       if (other.id == g.id) wrong(p.name(), "has the id of another");
     g.from = p["from"].number(), g.to = p["to"].number(), g.confidence = p["confidence"].number();
+    if (g.confidence < 0 || g.confidence > 1) wrong(p.name(), "has a confidence outside 0 to 1");
     s.groups.push_back(g);
   });
   std::size_t place = 0;  // of the group of the last point: points are in the order of the groups

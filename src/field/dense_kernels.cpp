@@ -18,8 +18,8 @@ inline __attribute__((always_inline)) const Lanes &at(const double *p) {
   return *reinterpret_cast<const Lanes *>(p);
 }
 
-// The same where they do not begin at a multiple of their size. Not by a type of less alignment: clang forgets that where
-// a reference is returned.
+// The same where they do not begin at a multiple of their size. Not by a type of less alignment: clang forgets that
+// where a reference is returned.
 inline __attribute__((always_inline)) Lanes loose(const double *p) {
   Lanes v;
   __builtin_memcpy(&v, p, sizeof v);
@@ -167,8 +167,7 @@ inline __attribute__((always_inline)) void minus_product_of(const double *panel,
                                                             const unsigned *place, const double *x, size_t width,
                                                             double *out) {
   constexpr size_t C = kLanes > 2 ? 8 * E : 16 / chains;
-  for (size_t j = 0; j < width; j += C)
-    minus_product<C, chains>(panel + j, rows, k, place, x, width - j, out + j);
+  for (size_t j = 0; j < width; j += C) minus_product<C, chains>(panel + j, rows, k, place, x, width - j, out + j);
 }
 
 void minus_product(const double *panel, size_t rows, size_t k, const unsigned *place, const double *x, double *out) {

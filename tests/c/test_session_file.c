@@ -178,6 +178,7 @@ static void what_is_no_session_is_refused(void) {
     {"\"undone\": 1", "\"undone\": 100", TS_E_FILE_SYNTAX},
     {"\"undone\": 1", "\"undone\": 0", TS_E_MISMATCH},
     {"\"id\": 1,", "\"id\": 0,", TS_E_FILE_SYNTAX},
+    {"\"confidence\": ", "\"confidence\": 7", TS_E_FILE_SYNTAX},
     {"\"id\": 1,\n    \"group\"", "\"id\": 0,\n    \"group\"", TS_E_FILE_SYNTAX},
     {"\"arch\": [", "\"arch\": [7, ", TS_E_FILE_SYNTAX},
   };
