@@ -38,10 +38,6 @@ void edit_tooth(ts_segmentation *s, Index group, ts_job *job, CutEdit edit) {
   change(*s, std::move(command), progress_of(job));
 }
 
-Vec3 vector_of(const double *p) {
-  return {p[0], p[1], p[2]};
-}
-
 }  // namespace
 
 void edit(const Prepared &p, tooth::Session &next, const Command &command, const Progress &progress) {
@@ -84,15 +80,13 @@ ts_status ts_cut_drag(ts_segmentation *segmentation, uint32_t tooth, uint32_t lo
                       double reach, ts_job *job) {
   return guarded(__func__, [&] {
     const Index group = group_of(segmentation, tooth);
-    need(to, "to");
-    need_finite(to, "to");
+    const Vec3 goal = point_of(to, "to");
     const AllocatorScope scope(segmentation->prepared->context().allocator);
     const auto &loops = segmentation->session.tooth(group)->loops;
     if (loop >= loops.size() || point >= loops[loop].line.points.size())
       throw Error(Fault::not_found, "tooth " + std::to_string(tooth) + " has no point " + std::to_string(point) +
                                         " in loop " + std::to_string(loop));
-    edit_tooth(segmentation, group, job,
-               {EditKind::drag, {loops[loop].line.points[point].position, vector_of(to)}, reach});
+    edit_tooth(segmentation, group, job, {EditKind::drag, {loops[loop].line.points[point].position, goal}, reach});
   });
 }
 
@@ -103,10 +97,7 @@ ts_status ts_cut_draw(ts_segmentation *segmentation, uint32_t tooth, const doubl
     need(points, "points");
     const AllocatorScope scope(segmentation->prepared->context().allocator);
     CutEdit edit{EditKind::draw, {}, 0};
-    for (std::size_t i = 0; i < count; ++i) {
-      need_finite(points + 3 * i, "a point");
-      edit.points.push_back(vector_of(points + 3 * i));
-    }
+    for (std::size_t i = 0; i < count; ++i) edit.points.push_back(point_of(points + 3 * i, "a point"));
     edit_tooth(segmentation, group, job, std::move(edit));
   });
 }

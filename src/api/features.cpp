@@ -29,11 +29,10 @@ features::DetectOptions detect_options(const ts_feature_options &o) {
     throw Error(Fault::invalid_argument, "max_points is " + std::to_string(o.max_points) + ", must be 1 to 64");
   if (!(o.radius >= 0.5 && o.radius <= 5))
     throw Error(Fault::invalid_argument, "radius is " + std::to_string(o.radius) + ", must be 0.5 to 5 mm");
-  need_finite(o.occlusal, "occlusal");
   features::DetectOptions d;
   d.max_points = o.max_points;
   d.radius = o.radius;
-  d.occlusal = {o.occlusal[0], o.occlusal[1], o.occlusal[2]};
+  d.occlusal = point_of(o.occlusal, "occlusal");
   return d;
 }
 
@@ -62,9 +61,7 @@ void edit(ts_features &handle, Edit &&change) {
 }
 
 mesh::SurfacePoint nearest(const ModelState &model, const double position[3]) {
-  need(position, "position");
-  need_finite(position, "position");
-  return model.nearest({position[0], position[1], position[2]});
+  return model.nearest(point_of(position, "position"));
 }
 
 }  // namespace
@@ -144,9 +141,7 @@ ts_status ts_features_get_occlusal(const ts_features *features, double direction
 ts_status ts_features_set_occlusal(ts_features *features, const double direction[3]) {
   return guarded(__func__, [&] {
     need(features, "features");
-    need(direction, "direction");
-    need_finite(direction, "direction");
-    const ts::mesh::Vec3 d(direction[0], direction[1], direction[2]);
+    const ts::mesh::Vec3 d = point_of(direction, "direction");
     if (!(d.norm() > 1e-12)) throw Error(Fault::invalid_argument, "direction has no length");
     edit(*features, [&](FeatureSet &set, const ModelState &) { set.set_occlusal(d.normalized()); });
   });

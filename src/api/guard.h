@@ -12,6 +12,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "mesh/surface.h"
 #include "toothseg.h"
 
 namespace ts::api {
@@ -44,9 +45,12 @@ inline void need(const void *pointer, const char *name) {
   if (!pointer) throw Error(Fault::null, std::string(name) + " is NULL");
 }
 
-inline void need_finite(const double *p, const char *name) {
+// Three coordinates of the caller's.
+inline mesh::Vec3 point_of(const double *p, const char *name) {
+  need(p, name);
   for (int k = 0; k < 3; ++k)
     if (!std::isfinite(p[k])) throw Error(Fault::invalid_argument, std::string(name) + " is not finite");
+  return {p[0], p[1], p[2]};
 }
 
 // The sizes that a public struct has had, oldest first; the last is today's. A struct that grows adds a line here.

@@ -188,9 +188,7 @@ ts_status ts_model_nearest(const ts_model *model, const double position[3], ts_s
     need(model, "model");
     need(position, "position");
     need(out, "out");
-    need_finite(position, "position");
-    write_surface_point(model->state->model.surface, model->state->nearest({position[0], position[1], position[2]}),
-                        out);
+    write_surface_point(model->state->model.surface, model->state->nearest(point_of(position, "position")), out);
   });
 }
 
@@ -201,11 +199,9 @@ ts_status ts_model_raycast(const ts_model *model, const double origin[3], const 
     need(origin, "origin");
     need(direction, "direction");
     need(out, "out");
-    need_finite(origin, "origin");
-    need_finite(direction, "direction");
-    const Vec3 d(direction[0], direction[1], direction[2]);
+    const Vec3 from = point_of(origin, "origin"), d = point_of(direction, "direction");
     if (!(d.norm() > 0)) throw Error(Fault::invalid_argument, "direction has no length");
-    const auto hit = model->state->model.raycast({origin[0], origin[1], origin[2]}, d);
+    const auto hit = model->state->model.raycast(from, d);
     if (!hit) throw Error(Fault::not_found, "the ray misses the mesh");
     write_surface_point(model->state->model.surface, *hit, out);
   });

@@ -131,9 +131,7 @@ void ts_segmentation_destroy(ts_segmentation *segmentation) {
 ts_status ts_segment_click(ts_segmentation *segmentation, const double position[3], ts_job *job, uint32_t *click) {
   return guarded(__func__, [&] {
     need(segmentation, "segmentation");
-    need(position, "position");
-    need_finite(position, "position");
-    const Vec3 at(position[0], position[1], position[2]);
+    const Vec3 at = point_of(position, "position");
     change(*segmentation, {Command::Act::click, ts::mesh::none, ts::mesh::none, {at}}, progress_of(job));
     if (click) *click = segmentation->session.clicks() - 1;
   });
@@ -147,11 +145,7 @@ ts_status ts_segment_clicks(ts_segmentation *segmentation, const double *positio
     need_quiet(*segmentation);
     Command command;
     command.act = Command::Act::clicks;
-    for (uint32_t i = 0; i < count; ++i) {
-      const double *const at = positions + 3 * std::size_t{i};
-      need_finite(at, "position");
-      command.at.emplace_back(at[0], at[1], at[2]);
-    }
+    for (uint32_t i = 0; i < count; ++i) command.at.push_back(point_of(positions + 3 * std::size_t{i}, "position"));
     const Prepared &p = *segmentation->prepared;
     const AllocatorScope scope(p.context().allocator);
     ts::Vec<ts::tooth::Segmenter::Outcome> outcomes;

@@ -15,12 +15,6 @@ using Act = Command::Act;
 namespace ts::api {
 namespace {
 
-Vec3 point_of(const double position[3], const char *name) {
-  need(position, name);
-  need_finite(position, name);
-  return {position[0], position[1], position[2]};
-}
-
 // To `there`, by `move`. What was worked out of clicks is that of others from then on.
 template <class Move>
 void travel(ts_segmentation *s, const tooth::Session &there, const Move &move) {
