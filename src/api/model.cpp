@@ -80,7 +80,9 @@ void write_surface_point(const mesh::Surface &surface, const SurfacePoint &p, ts
 ts_status ts_mesh_input_init(ts_mesh_input *input, uint32_t struct_size) {
   return guarded(__func__, [&] {
     need(input, "input");
-    write_struct(input, ts_mesh_input{}, struct_size, "ts_mesh_input");
+    ts_mesh_input o{};
+    o.scalar = TS_FLOAT64;
+    write_struct(input, o, struct_size, "ts_mesh_input");
   });
 }
 

@@ -38,7 +38,6 @@ Loaded read_session(const ts_model &model, std::string_view text, ts_job *job) {
   state->set = features::FeatureSet(std::move(saved.features));
   Loaded loaded;
   loaded.features = std::make_unique<ts_features>(ts_features{state});
-  tooth::check(saved.options);
   auto prepared = std::make_unique<Prepared>();
   prepared->features = state;
   prepared->segmenter = std::make_unique<const tooth::Segmenter>(surface, state->set.features(), saved.options,

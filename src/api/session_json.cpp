@@ -192,6 +192,7 @@ Set::State features_of(const Place &f, std::size_t vertices) {
     if (g.confidence < 0 || g.confidence > 1) wrong(p.name(), "has a confidence outside 0 to 1");
     s.groups.push_back(g);
   });
+  if (s.groups.empty()) wrong("features.groups", "are none");
   std::size_t place = 0;  // of the group of the last point: points are in the order of the groups
   f["points"].each([&](const Place &p) {
     Set::Point q{};
@@ -314,6 +315,11 @@ SavedSession from_json(std::string_view text, const mesh::Surface &surface) {
   s.result_hash = file["labels"].hash();
   const Place options = file["options"];
   each_option(s.options, [&](const char *name, auto &value) { set_option(options[name], value); });
+  try {
+    tooth::check(s.options);
+  } catch (const Error &e) {  // here it is the file that is wrong, not the call
+    wrong("options", std::string("are out of range: ") + e.what());
+  }
   s.features = features_of(file["features"], surface.vertices());
   file["steps"].each([&](const Place &step) { s.commands.push_back(command_of(step)); });
   s.undone = file["undone"].integer(s.commands.size());

@@ -84,7 +84,10 @@ class Curve {
 void add_midlines(const Curve &curve, ArchRow &row) {
   constexpr double reach = 40, least_reach = 15, unevenness = 0.6, unsure = 0.05;
   constexpr int outside = 30;  // an arch of one quadrant has its midline before its beginning or after its end
-  const int length = static_cast<int>(curve.length());
+  // Far more than any jaw has: what a mesh of other units, or a session file, has beyond it would be looked at all the
+  // same.
+  constexpr double longest = 1000;
+  const int length = static_cast<int>(std::min(longest, curve.length()));
   row.midline_from = -outside;
   row.midline.assign(static_cast<std::size_t>(length + 2 * outside + 1), 0);
   double sum = 0;

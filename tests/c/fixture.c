@@ -126,7 +126,6 @@ void free_mesh(mesh *m) {
 ts_mesh_input input_of(const mesh *m) {
   ts_mesh_input input;
   need(ts_mesh_input_init(&input, sizeof input), "input");
-  input.scalar = TS_FLOAT64;
   input.positions = m->xyz;
   input.vertex_count = m->vertices;
   input.triangles = m->triangles;

@@ -62,6 +62,7 @@ static void bad_arrays_are_refused(void) {
 
   harness_case("scalar");
   input = input_of(&plane);
+  CHECK(input.scalar == TS_FLOAT64); /* as initialised */
   input.scalar = (ts_scalar)2;
   refuse(&input, TS_E_INVALID_ARGUMENT);
   harness_case("stride too small");

@@ -247,6 +247,33 @@ static void features_without_an_occlusal_direction(void) {
   ts_features_destroy(by_hand);
 }
 
+/* Of a mesh a thousand kilometres wide, which is not looked at by the millimetre. */
+static void an_arch_longer_than_any(void) {
+  const double side = 9e8, up[3] = {0, 0, 1};
+  mesh plane = make_plane(side, 6);
+  const ts_mesh_input input = input_of(&plane);
+  ts_intake_options options;
+  ts_model *model = NULL;
+  ts_features *by_hand = NULL;
+  ts_segmentation *segmentation = NULL;
+  uint32_t i;
+  REQUIRE_STATUS(ts_intake_options_init(&options, sizeof options), TS_OK);
+  options.unit = TS_UNIT_MM;
+  REQUIRE_STATUS(ts_model_create(s.context, &input, &options, NULL, &model), TS_OK);
+  REQUIRE_STATUS(ts_features_create(model, &by_hand), TS_OK);
+  CHECK_STATUS(ts_features_set_occlusal(by_hand, up), TS_OK);
+  for (i = 0; i < 3; ++i) {
+    const double at[3] = {side * i / 2, side / 2, 0};
+    CHECK_STATUS(ts_features_add_point(by_hand, at, TS_NONE, NULL, NULL), TS_OK);
+  }
+  REQUIRE_STATUS(ts_segmentation_create(by_hand, NULL, NULL, &segmentation), TS_OK);
+  CHECK_STATUS(ts_assign_numbers(segmentation, NULL), TS_E_NUMBER_ORDER); /* no teeth are that far apart */
+  ts_segmentation_destroy(segmentation);
+  ts_features_destroy(by_hand);
+  ts_model_destroy(model);
+  free_mesh(&plane);
+}
+
 static void notations(void) {
   uint32_t u, n, fdi, back = 0;
   for (u = 1; u <= 32; ++u) {
@@ -280,6 +307,7 @@ int main(void) {
     RUN(more_teeth_than_a_jaw_has);
     RUN(numbers_of_teeth_that_steps_make);
     RUN(features_without_an_occlusal_direction);
+    RUN(an_arch_longer_than_any);
   }
   RUN(notations);
   free_scan(&s);

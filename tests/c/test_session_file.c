@@ -174,7 +174,7 @@ static void what_is_no_session_is_refused(void) {
     {"\"convexity\": ", "\"convexity\": 1e999, \"was\": ", TS_E_FILE_SYNTAX},
     {"\"convexity\": ", "\"convexity\": null, \"was\": ", TS_E_FILE_SYNTAX},
     {"\"alpha\"", "\"alpho\"", TS_E_FILE_SYNTAX},
-    {"\"area_max\": 3", "\"area_max\": -3", TS_E_INVALID_ARGUMENT},
+    {"\"area_max\": 3", "\"area_max\": -3", TS_E_FILE_SYNTAX},
     {"\"undone\": 1", "\"undone\": 100", TS_E_FILE_SYNTAX},
     {"\"undone\": 1", "\"undone\": 0", TS_E_MISMATCH},
     {"\"id\": 1,", "\"id\": 0,", TS_E_FILE_SYNTAX},

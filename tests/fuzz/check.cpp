@@ -169,6 +169,7 @@ void model(const ts_model *m) {
   ts_surface_point point;
   HOLDS(ts_model_nearest(m, at, &point) == TS_OK);
   HOLDS(point.face < report.faces && finite(point.position, 3) && finite(point.barycentric, 3) && point.distance >= 0);
+  check::report(m);
 }
 
 void features(const ts_model *m, const ts_features *f) {

@@ -29,6 +29,8 @@ std::vector<T> all(const Call &call, std::size_t width = 1) {
 }
 
 void model(const ts_model *model);
+// What intake reported is true of the model, and adds up; `model` has it in it.
+void report(const ts_model *model);
 void features(const ts_model *model, const ts_features *features);
 // `deep`: also fields, histograms and contours of the clicks, and the meshes of the teeth.
 void segmentation(const ts_model *model, const ts_segmentation *segmentation, bool deep);

@@ -92,38 +92,74 @@ void one_session_read_by_all() {
   });
 }
 
+// Each long call is cancelled sooner and later on its way: it gives nothing and changes nothing, and works afterwards.
 void cancelled_from_another_thread() {
   const auto context = context_with(2);
   const auto model = model_of(context.get(), bumps());
   const auto features = features_of(model.get(), bumps());
-  for (int round = 0; round < 20; ++round) {
-    const auto s = session_on(features.get());
-    const auto job = made<ts_job>([&](ts_job **out) { return ts_job_create(context.get(), nullptr, nullptr, out); });
-    std::thread other([&] {
-      double last = 0;
-      for (int k = 0; k < round * 20000; ++k) last = std::max(last, ts_job_progress(job.get()));
-      HOLDS(last <= 1);
-      ts_job_cancel(job.get());
-    });
-    const ts_status got = ts_segment_all(s.get(), job.get());
-    HOLDS(got == TS_OK || got == TS_E_CANCELLED);
-    if (got != TS_OK) {
-      const auto labels = labels_of(s.get());
-      HOLDS(std::count(labels.begin(), labels.end(), 0u) == static_cast<std::ptrdiff_t>(labels.size()));
+  const auto whole = session_on(features.get());
+  HOLDS(ts_segment_all(whole.get(), nullptr) == TS_OK);
+  const auto text = check::all<char>(
+      [&](char *p, std::uint32_t n, std::uint32_t *c) { return ts_session_write(whole.get(), p, n, c); });
+  const auto s = session_on(features.get());
+  const auto all_undone = [&](ts_status got) {
+    if (got == TS_OK) HOLDS(ts_undo(s.get()) == TS_OK);
+    const auto labels = labels_of(s.get());
+    HOLDS(std::count(labels.begin(), labels.end(), 0u) == static_cast<std::ptrdiff_t>(labels.size()));
+    return got;
+  };
+  const auto maker = []<class T>(ts_status got, T *out) {
+    HOLDS((got == TS_OK) == (out != nullptr));
+    Destroy()(out);
+    return got;
+  };
+  const std::function<ts_status(ts_job *)> calls[] = {
+      [&](ts_job *job) { return all_undone(ts_segment_all(s.get(), job)); },
+      [&](ts_job *job) {
+        const ts_mesh_input input = input_of(bumps());
+        ts_model *out = nullptr;
+        const ts_status got = ts_model_create(context.get(), &input, nullptr, job, &out);
+        return maker(got, out);
+      },
+      [&](ts_job *job) {
+        ts_segmentation *out = nullptr;
+        const ts_status got = ts_segmentation_create(features.get(), nullptr, job, &out);
+        return maker(got, out);
+      },
+      [&](ts_job *job) {
+        ts_segmentation *out = nullptr;
+        const ts_status got = ts_session_read(model.get(), text.data(), text.size(), job, nullptr, &out);
+        return maker(got, out);
+      },
+  };
+  const auto job = made<ts_job>([&](ts_job **out) { return ts_job_create(context.get(), nullptr, nullptr, out); });
+  for (const auto &call : calls)
+    for (int round = 0; round < 8; ++round) {
+      std::thread other([&] {
+        double last = 0;
+        for (int k = 0; k < round * 40000; ++k) last = std::max(last, ts_job_progress(job.get()));
+        HOLDS(last <= 1);
+        ts_job_cancel(job.get());
+      });
+      const ts_status got = call(job.get());
+      HOLDS(got == TS_OK || got == TS_E_CANCELLED);
+      other.join();
+      HOLDS(call(job.get()) == TS_E_CANCELLED);  // sticky
+      ts_job_reset(job.get());
+      HOLDS(call(job.get()) == TS_OK);
     }
-    other.join();
-    ts_job_reset(job.get());
-    HOLDS(ts_segment_all(s.get(), job.get()) == TS_OK);
-  }
 }
 
+// Half of the threads work in a context that stays.
 void contexts_come_and_go() {
+  const auto staying = context_with(2);
   at_once(8, [&](int k) {
     for (int round = 0; round < 3; ++round) {
-      auto context = context_with(1 + k % 3);
-      auto model = model_of(context.get(), bumps());
+      Handle<ts_context> own;
+      if (k % 2 == 0) own = context_with(1 + k % 3);
+      auto model = model_of(own ? own.get() : staying.get(), bumps());
       auto features = features_of(model.get(), bumps());
-      context.reset();  // its children keep it
+      own.reset();  // its children keep it
       auto s = session_on(features.get());
       features.reset();
       model.reset();

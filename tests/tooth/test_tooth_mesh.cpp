@@ -42,8 +42,8 @@ void check_closed(const PartMesh &m) {
   CHECK(m.loops == 0);
   CHECK(m.volume > 0);
   CHECK(judge::watertight(points_of(m), faces_of(m)));
-  for (const auto &[a, b] : judge::crossings_near(points_of(m), faces_of(m), {m.flag.begin(), m.flag.end()}))
-    CHECK_MESSAGE(false, "triangles ", a, " and ", b, " cross");
+  for (const auto &crossing : judge::crossings_near(points_of(m), faces_of(m), {m.flag.begin(), m.flag.end()}))
+    CHECK_MESSAGE(false, "triangles ", crossing.first, " and ", crossing.second, " cross");
   for (Index v = 0; v < m.position.size(); ++v) CHECK(m.normal[v].norm() == doctest::Approx(1));
 }
 
