@@ -16,7 +16,7 @@ constexpr std::size_t kSurfaceGrain = 1 << 13;
 template <class Space>
 void each_vertex(const Surface &s, const Executor &executor, const auto &visit) {
   executor.ranges(s.vertices(), kSurfaceGrain, [&](std::size_t begin, std::size_t end) {
-    Space space;
+    Space space{};
     for (Index v = static_cast<Index>(begin); v < end; ++v) visit(space, v);
   });
 }
