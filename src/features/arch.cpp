@@ -272,7 +272,7 @@ Vec<Vec2> trace(const Map &map, const Circle &circle, double step) {
     line.push_back(polar_point(centre, begin + a, least_radius + radius_step * path[a]));
   if (line.size() < 3) return {};
   line = resample(line, step);
-  if (line.size() * step < 2) return {};
+  if (static_cast<double>(line.size()) * step < 2) return {};
   return line;
 }
 
