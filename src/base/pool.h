@@ -16,9 +16,7 @@ class Pool {
    public:
     Lease(Pool &pool, std::unique_ptr<T> item) : pool_(&pool), item_(std::move(item)) {}
     Lease(Lease &&) noexcept = default;
-    Lease(const Lease &) = delete;
     Lease &operator=(Lease &&) = delete;
-    Lease &operator=(const Lease &) = delete;
     ~Lease() {
       if (!item_) return;
       item_->clear();

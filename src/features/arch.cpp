@@ -210,13 +210,15 @@ Vec<Vec2> resample(const Vec<Vec2> &line, double step) {
   double left = step;
   for (std::size_t i = 1; i < line.size(); ++i) {
     Vec2 a = line[i - 1];
-    const Vec2 b = line[i];
-    for (double length = (b - a).norm(); length >= left; length = (b - a).norm()) {
+    const Vec2 &b = line[i];
+    double length = (b - a).norm();
+    while (length >= left) {
       a += (b - a) * (left / length);
       result.push_back(a);
       left = step;
+      length = (b - a).norm();
     }
-    left -= (b - a).norm();
+    left -= length;
   }
   return result;
 }

@@ -50,9 +50,11 @@ void write_ply(OutputFile &out, const OutputMesh &mesh) {
 void write_obj(OutputFile &out, const OutputMesh &mesh) {
   std::string line;  // one for all: it keeps its memory
   const auto print = [&](const char *kind, const auto &...values) {
-    line = kind;
+    line.clear();
+    line.append(kind);
     (line.append(" ").append(values), ...);
-    out.write(line.append("\n"));
+    line.append("\n");
+    out.write(line);
   };
   out.write("# toothseg, mm\n");
   for (const Vec3 &p : mesh.position) print("v", decimal(p.x()), decimal(p.y()), decimal(p.z()));
