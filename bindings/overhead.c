@@ -54,7 +54,8 @@ int main(int argc, char **argv) {
   for (i = 0; i < CALLS; ++i)
     if (ts_fdi_to_universal(36, &universal) != TS_OK) return 1;
   ns = (now_ms() - begin) * 1e6 / CALLS;
-  printf("{\"faces\":%lu,\"call_ns\":%.0f,\"labels_ms\":%.3f,", (unsigned long)count, ns, median_ms(segmentation, count, NULL));
+  printf("{\"faces\":%lu,\"call_ns\":%.0f,\"labels_ms\":%.3f,", (unsigned long)count, ns,
+         median_ms(segmentation, count, NULL));
   printf("\"labels_into_ms\":%.3f}\n", median_ms(segmentation, count, room));
   free(room);
   ts_segmentation_destroy(segmentation);

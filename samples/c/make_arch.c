@@ -88,7 +88,7 @@ static void write_ply(FILE *f, const mesh *m) {
   for (size_t i = 0; i < 3 * (size_t)m->vertices; ++i) put32(f, &m->positions[i]);
   for (size_t i = 0; i < m->faces; ++i) {
     fputc(3, f);
-    for (int k = 0; k < 3; ++k) put32(f, &m->triangles[3 * i + k]);
+    for (size_t k = 0; k < 3; ++k) put32(f, &m->triangles[3 * i + k]);
   }
 }
 
@@ -99,8 +99,8 @@ static void write_stl(FILE *f, const mesh *m) {
   put32(f, &m->faces);
   for (size_t i = 0; i < m->faces; ++i) {
     for (int k = 0; k < 3; ++k) put32(f, &zero);
-    for (int k = 0; k < 3; ++k)
-      for (int c = 0; c < 3; ++c) put32(f, &m->positions[3 * (size_t)m->triangles[3 * i + k] + c]);
+    for (size_t k = 0; k < 3; ++k)
+      for (size_t c = 0; c < 3; ++c) put32(f, &m->positions[3 * (size_t)m->triangles[3 * i + k] + c]);
     fputc(0, f);
     fputc(0, f);
   }

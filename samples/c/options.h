@@ -10,8 +10,8 @@ typedef struct options {
   const char *labels, *cuts, *ply, *report, *features; /* outputs; NULL: not wanted */
   const char *json3dts;
   const char *session; /* in, where it is there, and out */
-  const char *teeth;                                   /* directory for a mesh a tooth; NULL: not wanted */
-  int closed;                                          /* of these meshes: all rims */
+  const char *teeth;   /* directory for a mesh a tooth; NULL: not wanted */
+  int closed;          /* of these meshes: all rims */
   ts_preset preset;
   ts_unit unit;
   uint32_t threads;

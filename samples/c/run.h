@@ -35,7 +35,7 @@ int clicks_read(const char *path, click **clicks, uint32_t *count);
 
 /* Each returns 0, with a complaint, if it failed. */
 int run_prepare(run *r);
-int run_click(run *r); /* clicks that fail are complained about and noted in r->failed */
+int run_click(run *r);  /* clicks that fail are complained about and noted in r->failed */
 int run_number(run *r); /* where numbers are wanted; those that are uncertain are complained about */
 void run_close(run *r);
 

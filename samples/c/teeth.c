@@ -61,7 +61,8 @@ int teeth_announce_all(const run *r, teeth_files *files, staging *s) {
   int good = 1;
   if (r->options->teeth == NULL) return 1;
   for (i = 0; good && i < r->tooth_count; ++i)
-    good = announce(r->options, files, s, path_for(r->options->teeth, r->options->fdi ? r->numbers[i].fdi : r->teeth[i].label));
+    good = announce(r->options, files, s,
+                    path_for(r->options->teeth, r->options->fdi ? r->numbers[i].fdi : r->teeth[i].label));
   return good;
 }
 

@@ -1,8 +1,8 @@
 /* ts-segment: the whole library as a command. SPDX-License-Identifier: Apache-2.0
  *
  * Plain C99 against toothseg.h alone: options.c reads the command line, clicks.c the clicks, run.c goes the way through
- * the library, writers.c, json3dts.c, teeth.c and report.c write what came of it, staging.c sees to it that the outputs are all
- * there or not at all. */
+ * the library, writers.c, json3dts.c, teeth.c and report.c write what came of it, staging.c sees to it that the outputs
+ * are all there or not at all. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -46,9 +46,8 @@ static int write_all(run *r, const teeth_files *teeth, staging *s) {
   const options *o = r->options;
   return teeth_write(r, teeth, s) && write_one(r, s, o->labels, write_labels) && write_one(r, s, o->cuts, write_cuts) &&
          write_one(r, s, o->ply, write_ply) && write_one(r, s, o->report, write_report) &&
-         write_one(r, s, o->features, write_features) &&
-         write_one(r, s, o->json3dts, write_json3dts) && write_one(r, s, o->session, write_session) &&
-         staging_commit(s);
+         write_one(r, s, o->features, write_features) && write_one(r, s, o->json3dts, write_json3dts) &&
+         write_one(r, s, o->session, write_session) && staging_commit(s);
 }
 
 static int segment(const options *o) {
@@ -61,8 +60,8 @@ static int segment(const options *o) {
   memset(&outputs, 0, sizeof outputs);
   r.options = o;
   good = announce(o, &outputs) && teeth_announce_gingiva(o, &teeth, &outputs) &&
-         (o->clicks == NULL || clicks_read(o->clicks, &r.clicks, &r.click_count)) && run_prepare(&r) && run_click(&r) && run_number(&r) &&
-         teeth_announce_all(&r, &teeth, &outputs) && write_all(&r, &teeth, &outputs);
+         (o->clicks == NULL || clicks_read(o->clicks, &r.clicks, &r.click_count)) && run_prepare(&r) && run_click(&r) &&
+         run_number(&r) && teeth_announce_all(&r, &teeth, &outputs) && write_all(&r, &teeth, &outputs);
   staging_close(&outputs);
   teeth_close(&teeth);
   if (good)

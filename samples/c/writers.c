@@ -109,8 +109,7 @@ static ts_status label_faces(const run *r, uint32_t *labels, uint32_t face_count
 
 static void put_mesh(FILE *file, const double *xyz, uint32_t vertex_count, const uint32_t *triangles,
                      uint32_t face_count, const uint32_t *labels) {
-  uint32_t i;
-  int k;
+  uint32_t i, k;
   fprintf(file,
           "ply\nformat binary_little_endian 1.0\ncomment toothseg %s, mm\n"
           "element vertex %lu\nproperty float x\nproperty float y\nproperty float z\n"

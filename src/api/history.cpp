@@ -14,7 +14,8 @@ void History::record(tooth::Session before, Command command, std::size_t bytes) 
 
 const tooth::Session &History::before() const {
   if (done_.empty())
-    throw Error(Fault::no_history, forgotten_.empty() ? "nothing was done yet" : "what was done before is no longer kept");
+    throw Error(Fault::no_history,
+                forgotten_.empty() ? "nothing was done yet" : "what was done before is no longer kept");
   return done_.back().state;
 }
 

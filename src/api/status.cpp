@@ -6,12 +6,13 @@ namespace ts::api {
 namespace {
 
 // Fixed size: keeping a message must not need memory when memory is what ran out.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): each thread's own
 thread_local char last_message[512] = "";
 
 }  // namespace
 
 void keep_message(const char *function, const char *what) noexcept {
-  std::snprintf(last_message, sizeof last_message, "%s: %s", function, what);
+  static_cast<void>(std::snprintf(last_message, sizeof last_message, "%s: %s", function, what));  // cut off if too long
   // One line, whatever a file is called.
   for (char *c = last_message; *c; ++c)
     if (*c == '\n' || *c == '\r') *c = '?';

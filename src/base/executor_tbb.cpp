@@ -1,5 +1,3 @@
-#include "base/executor.h"
-
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -8,6 +6,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "base/executor.h"
 #include "base/memory.h"
 
 namespace ts {

@@ -1,5 +1,5 @@
-// The executor on threads of the standard library, made for each loop: for ThreadSanitizer, which does not see into oneTBB,
-// and for where that is not to be had.
+// The executor on threads of the standard library, made for each loop: for ThreadSanitizer, which does not see into
+// oneTBB, and for where that is not to be had.
 #include <algorithm>
 #include <atomic>
 #include <exception>

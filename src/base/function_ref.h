@@ -14,7 +14,9 @@ template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
  public:
   template <class F>
-  requires(!std::is_same_v<std::remove_cvref_t<F>, FunctionRef>) FunctionRef(F &&f)
+  requires(!std::is_same_v<std::remove_cvref_t<F>, FunctionRef>)
+      // Anything else that can be called. NOLINTNEXTLINE(google-explicit-constructor,bugprone-forwarding-reference-overload)
+      FunctionRef(F &&f)
       : object_(const_cast<void *>(static_cast<const void *>(std::addressof(f)))),
         call_([](void *object, Arguments... arguments) -> Result {
           return (*static_cast<std::add_pointer_t<F>>(object))(std::forward<Arguments>(arguments)...);

@@ -14,6 +14,7 @@
 namespace ts {
 namespace {
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): each thread's own, set by AllocatorScope alone
 thread_local std::shared_ptr<const AllocatorHooks> current_hooks;
 
 constexpr std::size_t line = 64;
@@ -37,12 +38,12 @@ void *map_block(std::size_t &bytes) {
   if (bytes % huge >= huge / 2) bytes = (bytes + huge - 1) / huge * huge;
   void *const all = mmap(nullptr, bytes + huge, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (all == MAP_FAILED) return nullptr;
-  const std::uintptr_t from = reinterpret_cast<std::uintptr_t>(all), begin = (from + huge - 1) / huge * huge,
-                       end = begin + bytes, to = from + bytes + huge;
-  if (begin > from) munmap(all, begin - from);
-  if (to > end) munmap(reinterpret_cast<void *>(end), to - end);
-  madvise(reinterpret_cast<void *>(begin), bytes, MADV_HUGEPAGE);  // advice: no harm if it is not taken
-  return reinterpret_cast<void *>(begin);
+  const std::size_t before = (huge - reinterpret_cast<std::uintptr_t>(all) % huge) % huge;
+  char *const begin = static_cast<char *>(all) + before;
+  if (before > 0) munmap(all, before);
+  munmap(begin + bytes, huge - before);
+  madvise(begin, bytes, MADV_HUGEPAGE);  // advice: no harm if it is not taken
+  return begin;
 #else
   static_cast<void>(bytes);
   return nullptr;
@@ -53,7 +54,8 @@ void unmap_block(void *block, std::size_t bytes) noexcept {
 #ifdef TS_OWN_PAGES
   munmap(block, bytes);
 #else
-  static_cast<void>(block), static_cast<void>(bytes);
+  static_cast<void>(block);
+  static_cast<void>(bytes);
 #endif
 }
 
@@ -73,9 +75,11 @@ void *allocate(std::size_t bytes) {
     block = callers ? hooks->alloc(whole, hooks->user) : std::malloc(whole);
   }
   if (!block) throw std::bad_alloc();
-  const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(block) + 2 * line - 1) / line * line;
-  new (reinterpret_cast<void *>(begin - sizeof(Header))) Header{hooks, block, mapped};
-  return reinterpret_cast<void *>(begin);
+  // The last multiple of a line among the bytes up to 2 * line: a line or more is before it.
+  char *const begin =
+      static_cast<char *>(block) + 2 * line - 1 - (reinterpret_cast<std::uintptr_t>(block) + 2 * line - 1) % line;
+  new (begin - sizeof(Header)) Header{hooks, block, mapped};
+  return begin;
 }
 
 void deallocate(void *memory) noexcept {

@@ -38,6 +38,7 @@ struct Allocator {
   using value_type = T;
   Allocator() noexcept = default;
   template <class U>
+  // NOLINTNEXTLINE(google-explicit-constructor): an allocator of another type is one of this, says the standard
   Allocator(const Allocator<U> &) noexcept {}
   T *allocate(std::size_t n) {
     if (n > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();

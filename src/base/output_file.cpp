@@ -2,9 +2,10 @@
 
 #include <bit>
 #include <cerrno>
-#include <cstring>
+#include <cstdio>
 #include <new>
 #include <random>
+#include <system_error>
 
 #include "base/error.h"
 
@@ -12,8 +13,8 @@ namespace ts {
 namespace {
 
 std::string reason(const std::string &otherwise) {
-  if (errno == ENOMEM) throw std::bad_alloc();  // not the file's fault
-  return errno ? std::strerror(errno) : otherwise;
+  if (errno == ENOMEM) throw std::bad_alloc();                        // not the file's fault
+  return errno ? std::generic_category().message(errno) : otherwise;  // unlike strerror, for any thread
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ OutputFile::OutputFile(const std::string &path) : path_(path), place_(std::u8str
   if (std::filesystem::exists(place_, code) && !std::filesystem::is_regular_file(place_, code))
     fail("not a regular file");  // a rename would put a file in the place of a device
   char suffix[24];
-  std::snprintf(suffix, sizeof suffix, ".part-%08x", static_cast<unsigned>(std::random_device()()));
+  static_cast<void>(std::snprintf(suffix, sizeof suffix, ".part-%08x", static_cast<unsigned>(std::random_device()())));
   temporary_ = place_;
   temporary_ += suffix;
   errno = 0;

@@ -73,7 +73,7 @@ void smooth_psi(const Surface &s, std::span<const double> cotangent, double radi
       free = free && pull.at[k] != mesh::none;
     }
     if (!free) continue;  // beside what is held: that decides
-    for (std::size_t k = 0; k < 3; ++k) pull.strength = std::max(pull.strength, kPull * diagonal[pull.at[k]]);
+    for (const Index v : pull.at) pull.strength = std::max(pull.strength, kPull * diagonal[v]);
     pulls.push_back(pull);
   }
   place.clear();

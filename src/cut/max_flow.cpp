@@ -55,7 +55,7 @@ double MaxFlow::solve() {
 
 void MaxFlow::activate(Index node) {
   if (node_[node].active) return;
-  node_[node].active = 1;
+  node_[node].active = true;
   queue_.push_back(node);
 }
 
@@ -79,7 +79,7 @@ Index MaxFlow::grow() {
         }
       }
     }
-    node_[p].active = 0;
+    node_[p].active = false;
     ++queue_head_;
     if (queue_head_ > 4096 && 2 * queue_head_ > queue_.size()) {
       queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(queue_head_));

@@ -60,7 +60,7 @@ void mark_sides(const Surface &s, std::span<const Polyline *const> lines, Space 
 double share_within(const Surface &s, Index face, FunctionRef<bool(Index)> within, const CrossedEdges &crossed) {
   int in = 0;
   for (const Index v : s.triangle[face]) in += within(v);
-  if (in == 0 || in == 3) return in / 3;
+  if (in == 0 || in == 3) return in == 3 ? 1 : 0;
   double share = 1;  // of the corner that is alone on its side
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Index v = s.from(h), w = s.to(h);

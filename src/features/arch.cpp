@@ -210,13 +210,15 @@ Vec<Vec2> resample(const Vec<Vec2> &line, double step) {
   double left = step;
   for (std::size_t i = 1; i < line.size(); ++i) {
     Vec2 a = line[i - 1];
-    const Vec2 b = line[i];
-    for (double length = (b - a).norm(); length >= left; length = (b - a).norm()) {
+    const Vec2 &b = line[i];
+    double length = (b - a).norm();
+    while (length >= left) {
       a += (b - a) * (left / length);
       result.push_back(a);
       left = step;
+      length = (b - a).norm();
     }
-    left -= (b - a).norm();
+    left -= length;
   }
   return result;
 }
@@ -272,7 +274,7 @@ Vec<Vec2> trace(const Map &map, const Circle &circle, double step) {
     line.push_back(polar_point(centre, begin + a, least_radius + radius_step * path[a]));
   if (line.size() < 3) return {};
   line = resample(line, step);
-  if (line.size() * step < 2) return {};
+  if (static_cast<double>(line.size()) * step < 2) return {};
   return line;
 }
 

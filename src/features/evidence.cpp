@@ -166,7 +166,7 @@ SliceTerms measure_slice(const Strip &strip, int i, float envelope) {
   m[M::fine_peak] = 4 * fine;
   m[M::drop] = std::min(2.f, (envelope - strip.crest[i]) / 3);
   m[M::relief] = static_cast<float>(relief / (2 * reach + 1) / 3);
-  m[M::hole] = static_cast<float>(holes) / (2 * slices_of(4) + 1);
+  m[M::hole] = static_cast<float>(holes) / static_cast<float>(2 * slices_of(4) + 1);
   return m;
 }
 

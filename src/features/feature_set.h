@@ -47,9 +47,7 @@ class FeatureSet {
         groups_(std::move(state.groups)),
         next_point_(state.next_point),
         next_group_(state.next_group) {}
-  State state() const {
-    return {occlusal_, arch_, inside_out_, looks_, points_, groups_, next_point_, next_group_};
-  }
+  State state() const { return {occlusal_, arch_, inside_out_, looks_, points_, groups_, next_point_, next_group_}; }
   explicit FeatureSet(const Features &found);
 
   const Vec3 &occlusal() const { return occlusal_; }

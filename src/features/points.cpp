@@ -65,14 +65,14 @@ Vec<Candidate> choose(const Vec<Candidate> &all, unsigned most) {
   int first = 1 << 30, last = 0;
   for (const Candidate &c : all) first = std::min(first, c.slice), last = std::max(last, c.slice);
   if (all.empty()) return chosen;
-  constexpr int row = Strip::across + 2;
-  Vec<std::uint8_t> seen(static_cast<std::size_t>(row) * (last - first + 3), 0);
+  constexpr std::size_t row = Strip::across + 2;
+  Vec<std::uint8_t> seen(row * static_cast<std::size_t>(last - first + 3), 0);
   for (std::size_t k = 0; k < order.size(); ++k) {
     const Candidate &c = all[order[k]];
     const std::size_t at = static_cast<std::size_t>(c.slice - first + 1) * row + c.j + 1;
     bool below = false;
-    for (int di = -1; di <= 1 && !below; ++di)
-      for (int dj = -1; dj <= 1; ++dj) below |= seen[at + di * row + dj] != 0;
+    for (std::size_t i = 0; i < 3 && !below; ++i)
+      for (std::size_t j = 0; j < 3; ++j) below |= seen[at - row - 1 + i * row + j] != 0;
     seen[at] = 1;
     for (std::size_t h = 0; h < k && !below; ++h) below = (all[order[h]].at - c.at).squaredNorm() <= apart * apart;
     if (!below) chosen.push_back(c);

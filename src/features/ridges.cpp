@@ -45,7 +45,10 @@ std::optional<std::array<Ridge, 2>> in_order(std::array<Ridge, 2> found) {
     std::ranges::sort(ridge.cells);
     ridge.from = static_cast<int>(ridge.cells.front() / Strip::across);
     ridge.to = static_cast<int>(ridge.cells.back() / Strip::across) + 1;
-    for (const std::size_t cell : ridge.cells) middle[r] += static_cast<double>(cell / Strip::across);
+    for (const std::size_t cell : ridge.cells) {
+      const std::size_t slice = cell / Strip::across;
+      middle[r] += static_cast<double>(slice);
+    }
     middle[r] /= static_cast<double>(ridge.cells.size());
   }
   if (std::abs(middle[0] - middle[1]) * Strip::step < kAlong) return {};
@@ -76,7 +79,7 @@ std::optional<std::array<Ridge, 2>> two_ridges(const Strip &strip, const ToothSp
     const std::size_t c = cells[k], at = c - first;
     const auto j = static_cast<int>(c % Strip::across);
     std::size_t best = Sets::kNone;
-    for (int di = -1; di <= 1; ++di)
+    for (std::ptrdiff_t di = -1; di <= 1; ++di)
       for (int dj = -1; dj <= 1; ++dj) {
         if (j + dj < 0 || j + dj >= Strip::across) continue;
         const auto n = static_cast<std::ptrdiff_t>(at) + di * Strip::across + dj;

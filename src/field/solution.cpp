@@ -14,7 +14,8 @@ void prefetch(const double *begin, const double *end) {
 #if defined(__GNUC__)
   for (; begin < end; begin += 8) __builtin_prefetch(begin);
 #else
-  static_cast<void>(begin), static_cast<void>(end);
+  static_cast<void>(begin);
+  static_cast<void>(end);
 #endif
 }
 

@@ -22,7 +22,7 @@ bool Triangulator::operator()(std::span<const Vec3> position, std::span<const In
 // Newell's normal is the best plane of a polygon that is not quite flat.
 bool Triangulator::flatten(std::span<const Vec3> position) {
   const std::size_t n = vertex_.size();
-  const Vec3 origin = position[vertex_[0]];
+  const Vec3 &origin = position[vertex_[0]];
   Vec3 normal(0, 0, 0);
   double size = 0;
   for (std::size_t i = 0; i < n; ++i) {

@@ -75,12 +75,14 @@ class Grid {
     Index best = none;
     double least = size_ * size_;
     const Vec3 home = cell(p);
-    for (int i = 0; i < 27; ++i)
-      for (Index v = head_[slot(home + Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1))]; v != none; v = next_[v]) {
+    for (int i = 0; i < 27; ++i) {
+      const Eigen::Vector3i step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      for (Index v = head_[slot(home + step.cast<double>())]; v != none; v = next_[v]) {
         const double d = (position_[v] - p).squaredNorm();
         if (d > least || (best == none && d == least)) continue;
         if (d < least || before(position_[v], position_[best])) best = v, least = d;
       }
+    }
     return best;
   }
 

@@ -1,8 +1,7 @@
 #include "mesh/write.h"
 
-#include <cstdio>
-
 #include "base/output_file.h"
+#include "mesh/decimal.h"
 #include "mesh/write_glb.h"
 
 namespace ts::mesh {
@@ -49,17 +48,21 @@ void write_ply(OutputFile &out, const OutputMesh &mesh) {
 }
 
 void write_obj(OutputFile &out, const OutputMesh &mesh) {
-  char line[128];
-  const auto print = [&](auto... values) {
-    const int n = std::snprintf(line, sizeof line, values...);
-    out.write({line, static_cast<std::size_t>(n)});
+  std::string line;  // one for all: it keeps its memory
+  const auto print = [&](const char *kind, const auto &...values) {
+    line.clear();
+    line.append(kind);
+    (line.append(" ").append(values), ...);
+    line.append("\n");
+    out.write(line);
   };
   out.write("# toothseg, mm\n");
-  for (const Vec3 &p : mesh.position) print("v %.9g %.9g %.9g\n", p.x(), p.y(), p.z());
+  for (const Vec3 &p : mesh.position) print("v", decimal(p.x()), decimal(p.y()), decimal(p.z()));
   for (Index g = 0; g < mesh.group.size(); ++g) {
     out.write("g " + mesh.group[g].name + "\n");
     for (std::size_t i = 0; i < mesh.triangle.size(); ++i)
-      if (const auto &[a, b, c] = mesh.triangle[i]; group_of(mesh, i) == g) print("f %u %u %u\n", a + 1, b + 1, c + 1);
+      if (const auto &[a, b, c] = mesh.triangle[i]; group_of(mesh, i) == g)
+        print("f", std::to_string(a + 1), std::to_string(b + 1), std::to_string(c + 1));
   }
 }
 

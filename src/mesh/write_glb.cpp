@@ -1,9 +1,9 @@
 #include "mesh/write_glb.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "base/error.h"
+#include "mesh/decimal.h"
 
 namespace ts::mesh {
 namespace {
@@ -45,12 +45,6 @@ Vec<Piece> pieces_of(const OutputMesh &mesh) {
   return pieces;
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
-
 // (Adding up literals and strings makes GCC 12 warn of overlapping copies: GCC bug 105651.)
 std::string join(std::initializer_list<std::string_view> parts) {
   std::string text;
@@ -59,7 +53,7 @@ std::string join(std::initializer_list<std::string_view> parts) {
 }
 
 std::string vector(const Eigen::Vector3f &v) {
-  return join({"[", number(v[0]), ",", number(v[1]), ",", number(v[2]), "]"});
+  return join({"[", decimal(v[0]), ",", decimal(v[1]), ",", decimal(v[2]), "]"});
 }
 
 // The parts of the JSON that grow with the groups.
@@ -78,7 +72,7 @@ struct Lists {
                     ",\"NORMAL\":", b, "},\"indices\":", c, ",\"material\":", text(groups),
                     "}],\"extras\":{\"label\":", text(group.label), "}}"});
     std::string colour;  // colours are sRGB, factors linear
-    for (const std::uint8_t level : group.colour) colour += join({number(std::pow(level / 255.0, 2.2)), ","});
+    for (const std::uint8_t level : group.colour) colour += join({decimal(std::pow(level / 255.0, 2.2)), ","});
     materials += join({comma, "{\"name\":\"", group.name, "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[", colour,
                        "1],\"metallicFactor\":0,\"roughnessFactor\":0.6}}"});
     const auto view = [&](std::size_t size, const char *target) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/error.h"
@@ -112,9 +113,10 @@ void add_midlines(const Curve &curve, ArchRow &row) {
   for (int i = 0; double &m : row.midline) {
     const bool on = i >= outside && i <= outside + length;
     ++i;
-    m = std::log(!(sum > 0) ? 1.0 / static_cast<double>(row.midline.size())
-                 : on       ? (1 - unsure) * m / sum + unsure / inside
-                            : 0);
+    if (!(sum > 0))
+      m = std::log(1.0 / static_cast<double>(row.midline.size()));
+    else
+      m = on ? std::log((1 - unsure) * m / sum + unsure / inside) : -std::numeric_limits<double>::infinity();
   }
 }
 

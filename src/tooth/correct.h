@@ -1,5 +1,5 @@
-// What a person says about teeth that stand separated. Nothing is factorised again: points are nodes that come after the
-// factorisation (field/border.h), and whom a node is held for is a matter of the right-hand side.
+// What a person says about teeth that stand separated. Nothing is factorised again: points are nodes that come after
+// the factorisation (field/border.h), and whom a node is held for is a matter of the right-hand side.
 #pragma once
 
 #include "tooth/session.h"

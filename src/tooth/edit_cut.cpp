@@ -1,8 +1,8 @@
 #include "tooth/edit_cut.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -20,8 +20,12 @@ constexpr double kNoLength = 0.01;
 constexpr double kAside = 0.45;
 
 std::string text_of(const Vec3 &p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f)", p.x(), p.y(), p.z());
+  std::string text = "(";
+  for (int k = 0; k < 3; ++k) {
+    char digits[320];  // of the largest that there are
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, p[k], std::chars_format::fixed, 3).ptr);
+    text += k < 2 ? ", " : ")";
+  }
   return text;
 }
 

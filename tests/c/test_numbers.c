@@ -110,7 +110,7 @@ static void an_arch_gets_its_numbers(void) {
   o.mirrored = 0;
   o.jaw = TS_JAW_UNKNOWN;
   CHECK_STATUS(ts_assign_numbers(segmentation, &o), TS_OK);
-  CHECK(jaw_of(segmentation).uncertain);
+  CHECK(jaw_of(segmentation).uncertain != 0);
   ts_segmentation_destroy(segmentation);
 }
 
@@ -124,7 +124,7 @@ static void a_number_set_by_hand_leads_the_others(void) {
     CHECK(n.set_by_hand == (i == 0));
   }
   CHECK(number_of(segmentation, groups[0].id).confidence == 1);
-  CHECK(jaw_of(segmentation).given);
+  CHECK(jaw_of(segmentation).given != 0);
   /* The other jaw, as the only number set: the whole arch is then the other jaw's, the other way round. */
   CHECK_STATUS(ts_set_number(segmentation, groups[0].id, true_number(groups[0].id) < 20 ? 37 : 47), TS_OK);
   CHECK(jaw_of(segmentation).jaw == TS_JAW_LOWER);

@@ -41,7 +41,7 @@ static uint32_t *labels_now(void) {
 }
 
 static void middle_of(uint32_t face, double xyz[3]) {
-  int k, c;
+  uint32_t k, c;
   for (k = 0; k < 3; ++k)
     for (xyz[k] = 0, c = 0; c < 3; ++c) xyz[k] += s.arch.xyz[3 * s.arch.triangles[3 * face + c] + k] / 3;
 }

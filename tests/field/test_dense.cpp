@@ -54,7 +54,8 @@ TEST_CASE("every kind of kernel eliminates, and leaves the same bytes") {
             CHECK(sum == doctest::Approx(again(i, j)).epsilon(1e-12));
           }
       } else {
-        for (std::size_t j = 0; j < m; ++j) CHECK(std::memcmp(&front(j, j), &first(j, j), (m - j) * sizeof(double)) == 0);
+        for (std::size_t j = 0; j < m; ++j)
+          CHECK(std::memcmp(&front(j, j), &first(j, j), (m - j) * sizeof(double)) == 0);
       }
       front(0, 0) = -1;
       CHECK(!kernels->eliminate(front.data(), ld, m, 1));
@@ -65,7 +66,8 @@ TEST_CASE("every kind of kernel eliminates, and leaves the same bytes") {
 TEST_CASE("every kind of kernel divides and multiplies to the same bytes") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> value(-1, 1);
-  for (const std::size_t k : {1, 2, 3, 4, 7, 8, 9, 16, 17, 24, 25, 31, 32, 33, 41, 57, 64, 70}) {  // all widths of a tile
+  for (const std::size_t k :
+       {1, 2, 3, 4, 7, 8, 9, 16, 17, 24, 25, 31, 32, 33, 41, 57, 64, 70}) {  // all widths of a tile
     const std::size_t ld = (k + 7) / 8 * 8, rows = 24;
     Columns l = positive_definite(k, ld, 3);
     REQUIRE(dense_kernels().eliminate(l.data(), ld, k, k));

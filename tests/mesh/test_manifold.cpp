@@ -182,7 +182,8 @@ TEST_CASE("random triangles over few vertices, the worst of meshes, become manif
     std::uniform_real_distribution<double> place(0, 20);
     RawMesh raw;
     for (int i = 0; i < 9 + int(seed % 7); ++i) raw.position.push_back({place(random), place(random), place(random)});
-    for (unsigned i = 0; i < 3 * (10 + seed); ++i) raw.corner.push_back(random() % raw.position.size());
+    for (unsigned i = 0; i < 3 * (10 + seed); ++i)
+      raw.corner.push_back(static_cast<Index>(random() % raw.position.size()));
     checked(raw);
   }
 }

@@ -27,16 +27,17 @@ struct Mesh {
 
 Mesh arch_of(std::mt19937_64 &random) {
   const auto share = [&] { return std::uniform_real_distribution<double>()(random); };
+  const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
   tsa_options o;
   HOLDS(tsa_options_init(&o, sizeof o) == TSA_OK);
-  o.jaw = 1 + random() % 2;
-  o.seed = random() % 1000;
-  o.triangles = 8000 + random() % 12000;
+  o.jaw = 1 + below(2);
+  o.seed = below(1000);
+  o.triangles = 8000 + below(12000);
   o.crowding = 0.5 * share();
-  o.noise = random() % 2 ? 0.3 * share() : 0;
+  o.noise = below(2) ? 0.3 * share() : 0;
   std::vector<std::uint32_t> missing;
-  for (std::uint32_t k = random() % 4; k > 0; --k) {
-    const std::uint32_t fdi = 10 * ((o.jaw == TSA_JAW_UPPER ? 1 : 3) + random() % 2) + 1 + random() % 7;
+  for (std::uint32_t k = below(4); k > 0; --k) {
+    const std::uint32_t fdi = 10 * ((o.jaw == TSA_JAW_UPPER ? 1 : 3) + below(2)) + 1 + below(7);
     if (std::find(missing.begin(), missing.end(), fdi) == missing.end()) missing.push_back(fdi);
   }
   o.missing = missing.data(), o.missing_count = static_cast<std::uint32_t>(missing.size());

@@ -412,7 +412,7 @@ constexpr int kRuns = 300;
 
 TEST_CASE("random edits, one after the other in runs of up to six, never leave an invalid tooth") {
   std::mt19937 random(7);
-  const auto uniform = [&](double a, double b) { return a + (b - a) * (random() / 4294967296.0); };
+  const auto uniform = [&](double a, double b) { return a + (b - a) * (static_cast<double>(random()) / 4294967296.0); };
   std::map<Fault, int> refused;
   int done = 0;
   for (int run = 0; run < kRuns; ++run) {

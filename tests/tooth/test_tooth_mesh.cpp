@@ -43,7 +43,7 @@ void check_closed(const PartMesh &m) {
   CHECK(m.volume > 0);
   CHECK(judge::watertight(points_of(m), faces_of(m)));
   for (const auto &crossing : judge::crossings_near(points_of(m), faces_of(m), {m.flag.begin(), m.flag.end()}))
-    CHECK_MESSAGE(false, "triangles ", crossing.first, " and ", crossing.second, " cross");
+    CHECK_MESSAGE(false, "triangles ", crossing[0], " and ", crossing[1], " cross");
   for (Index v = 0; v < m.position.size(); ++v) CHECK(m.normal[v].norm() == doctest::Approx(1));
 }
 
