@@ -6,7 +6,7 @@
 #include <new>
 #include <random>
 
-#include "base/error.h"
+#include "base/stop.h"
 
 namespace ts {
 namespace {
@@ -43,6 +43,8 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::string_view bytes) {
+  constexpr std::size_t often = std::size_t{1} << 18;
+  if ((unasked_ += bytes.size()) >= often) unasked_ = 0, stop_if_asked();
   errno = 0;
   if (!out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) fail(reason("write error"));
 }
