@@ -17,7 +17,7 @@
 namespace {
 
 // The least that all calls work on.
-constexpr std::uint32_t kFaces = 8000;
+constexpr std::uint32_t kFaces = 6000;
 
 // ------------------------------------------------------------------------------------------ what cancels, and when
 

@@ -89,7 +89,7 @@ Index teeth_of(const ts_segmentation *s) {
 }
 
 // Everything that can be done with a segmentation; each call may refuse, for a reason of its kind.
-void use(const ts_model *model, ts_segmentation *s, bool numbers) {
+void use(const ts_model *model, ts_segmentation *s) {
   check::status(ts_segment_all(s, nullptr), {6});
   std::array<double, 3> at{};
   {
@@ -105,7 +105,7 @@ void use(const ts_model *model, ts_segmentation *s, bool numbers) {
     check::status(ts_tooth_include(s, teeth[0], at.data(), nullptr), {6});
     if (teeth.size() > 1) check::status(ts_tooth_merge(s, teeth[0], teeth[1], nullptr), {6});
   }
-  if (numbers) check::status(ts_assign_numbers(s, nullptr), {1, 7});
+  check::status(ts_assign_numbers(s, nullptr), {1, 7});
   check::segmentation(model, s, true);
   // It comes back from its own text.
   const auto text = check::all<char>([&](char *p, Index n, Index *k) { return ts_session_write(s, p, n, k); });
@@ -131,15 +131,18 @@ void walk(ts_context *context, const Case &c) {
   HOLDS(found || c.goes != Goes::to_teeth);
   if (!found) features = by_hand(t.model.get());
   check::features(t.model.get(), features.get());
-  Index most = 0;
+  Index teeth = 0;
   struct Way {
     ts_preset preset;
     int weights;  // -1: the preset's
     double beta;  // 0: the preset's
   };
   // Both presets; cotangents without a bound; concavity over twelve orders of magnitude.
-  for (const Way &w : {Way{TS_PRESET_DEFAULT, -1, 0}, Way{TS_PRESET_PAPER, -1, 0},
-                       Way{TS_PRESET_DEFAULT, TS_WEIGHTS_COTANGENT, 0}, Way{TS_PRESET_DEFAULT, -1, 1e-12}}) {
+  static constexpr Way kWays[] = {{TS_PRESET_DEFAULT, -1, 0},
+                                  {TS_PRESET_PAPER, -1, 0},
+                                  {TS_PRESET_DEFAULT, TS_WEIGHTS_COTANGENT, 0},
+                                  {TS_PRESET_DEFAULT, -1, 1e-12}};
+  for (const Way &w : kWays) {
     ts_segment_options o;
     HOLDS(ts_segment_options_init(&o, sizeof o, w.preset) == TS_OK);
     if (w.weights >= 0) o.weights = static_cast<ts_weights>(w.weights);
@@ -153,13 +156,20 @@ void walk(ts_context *context, const Case &c) {
       std::printf("%-44s preset %d, weights %d: %s\n", c.name.c_str(), w.preset, w.weights, ts_last_error_message());
       continue;
     }
-    use(t.model.get(), s.get(), true);
-    if (w.preset == TS_PRESET_DEFAULT && w.weights < 0 && w.beta <= 0) most = teeth_of(s.get());
+    if (&w == kWays) {
+      use(t.model.get(), s.get());
+      teeth = teeth_of(s.get());
+    } else {  // what differs is the field
+      const auto points = check::all<ts_feature_point>(
+          [&](ts_feature_point *p, Index n, Index *k) { return ts_features_get_points(features.get(), p, n, k); });
+      check::status(ts_segment_click(s.get(), points[points.size() / 2].position, nullptr, nullptr), {6});
+      check::segmentation(t.model.get(), s.get(), true);
+    }
   }
   std::printf("%-44s %6u faces, %5u components, %5u degenerate, %5u welded, features %s, %u teeth\n", c.name.c_str(),
               t.report.faces, t.report.components, t.report.degenerate_faces, t.report.welded_vertices,
-              found ? "found" : "by hand", most);
-  HOLDS(c.goes != Goes::to_teeth || most > 8);
+              found ? "found" : "by hand", teeth);
+  HOLDS(c.goes != Goes::to_teeth || teeth > 8);
 }
 
 // ---------------------------------------------------------------------------------------------------- the hard meshes
@@ -208,6 +218,12 @@ Mesh with_flat_faces(Mesh m, std::size_t step) {
   return m;
 }
 
+std::string with(const char *before, double value, const char *after) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return before + std::string(text) + after;
+}
+
 Mesh moved(Mesh m, double scale, double offset) {
   for (double &x : m.xyz) x = scale * x + offset;
   return m;
@@ -226,12 +242,11 @@ Mesh soup_of(const Mesh &m, double jitter) {
 
 void slivers(ts_context *context, const Mesh &arch) {
   for (const double share : {1e-3, 1e-6, 1e-9, 1e-12, 0.0})
-    walk(context, {"edges of " + std::to_string(share * 1e9) + "e-9 of their length", with_short_edges(arch, share, 5),
-                   TS_UNIT_MM, Goes::to_teeth});
+    walk(context,
+         {with("edges of ", share, " of their length"), with_short_edges(arch, share, 5), TS_UNIT_MM, Goes::to_teeth});
   for (const double height : {1e-3, 1e-6, 1e-9, 1e-13}) {
-    char name[64];
-    std::snprintf(name, sizeof name, "needles of aspect %.0e", 1 / height);
-    walk(context, {name, with_needles(arch, height, 5), TS_UNIT_MM, Goes::to_teeth});
+    walk(context,
+         {with("needles of aspect ", 1 / height, ""), with_needles(arch, height, 5), TS_UNIT_MM, Goes::to_teeth});
   }
   walk(context, {"faces without area", with_flat_faces(arch, 7), TS_UNIT_MM, Goes::to_teeth});
 }
@@ -250,9 +265,7 @@ void units(ts_context *context, const Mesh &arch) {
   walk(context, {"in m, declared", moved(arch, 1e-3, 0), TS_UNIT_M, Goes::to_teeth});
   walk(context, {"in inches, floats", moved(arch, 1 / 25.4, 0), TS_UNIT_INCH, Goes::to_teeth, 0, false, true});
   for (const double scale : {1e-300, 1e-200, 1e-155, 1e-100, 1e-30, 1e-6, 1e-3, 3.0, 1e3, 1e6}) {
-    char name[64];
-    std::snprintf(name, sizeof name, "%g times as large, said to be mm", scale);
-    const Case c{name, moved(arch, scale, 0)};
+    const Case c{with("", scale, " times as large, said to be mm"), moved(arch, scale, 0)};
     const Taken t = take_in(context, c), plain = take_in(context, {"", arch});
     if (t.model && scale > 1e-100) {  // the report is truthful
       HOLDS(t.report.faces == plain.report.faces && t.report.components == plain.report.components);
@@ -275,7 +288,7 @@ void duplicates(ts_context *context, const Mesh &arch, const Mesh &small) {
   walk(context, {"a soup", soup_of(arch, 0), TS_UNIT_MM, Goes::to_teeth, 0, true});
   for (const double jitter : {1e-9, 1e-6, 1e-3}) {
     // A corner is within jitter x sqrt(3) of where it was, two of them within twice that.
-    const Case welded{"a soup jittered by " + std::to_string(jitter * 1e9) + "e-9 mm, welded",
+    const Case welded{with("a soup jittered by ", jitter, " mm, welded"),
                       soup_of(arch, jitter),
                       TS_UNIT_MM,
                       Goes::to_teeth,
@@ -370,7 +383,7 @@ void nothing_held(ts_context *context, Mesh m) {
       const double *const seed = &xyz[3 * std::size_t{seeds[0]}];
       HOLDS(ts_tooth_split(s.get(), tooth, seed, p, nullptr, nullptr) == TS_E_CLICK_ON_GINGIVA);
     }
-    use(t.model.get(), s.get(), true);
+    use(t.model.get(), s.get());
     const auto labels = check::all<Index>([&](Index *p, Index n, Index *k) { return ts_get_labels(s.get(), p, n, k); });
     for (std::size_t f = arch_faces; f < labels.size(); ++f) HOLDS(labels[f] == 0 && before[f] == 0);
     Index clicks = 0;
@@ -390,7 +403,7 @@ void nothing_held(ts_context *context, Mesh m) {
   const auto s = made<ts_segmentation>(
       [&](ts_segmentation **out) { return ts_segmentation_create(features.get(), nullptr, nullptr, out); });
   HOLDS(s != nullptr);
-  use(t.model.get(), s.get(), true);
+  use(t.model.get(), s.get());
 }
 
 // Target and background in separate pieces: each tooth a piece of its own.
