@@ -35,6 +35,7 @@ void ts_context_destroy(ts_context *context) {
 
 bool ts_job::proceed(double f, const char *stage) noexcept {
   if (cancelled) return false;
+  stage_now = stage;
   if (!progress) {
     fraction = std::max(fraction.load(), f);
     return true;

@@ -60,6 +60,7 @@ void run_all(const Prepared &p, Session &next, const Progress &progress) {
 Session execute(const Prepared &p, const Session &session, Command &command, const Progress &progress,
                 Vec<tooth::Segmenter::Outcome> *outcomes) {
   using Act = Command::Act;
+  const StopScope stop(progress);  // ends before the caller is told what changed
   Session next = session;
   const ts::tooth::Prepared &groups = p.segmenter->prepared(session.among());
   const auto correct = [&](ts::tooth::Correction c) { next.apply(std::move(c), command.tooth); };

@@ -83,6 +83,7 @@ ts_status ts_detect_features(const ts_model *model, const ts_feature_options *op
     const AllocatorScope scope(context.allocator);
     const Stopwatch watch;
     const ts::Progress progress = progress_of(job);
+    const ts::StopScope stop(progress);
     auto state = std::make_shared<FeaturesState>();
     state->model = model->state;
     state->set = FeatureSet(ts::features::detect(model->state->model.surface, o, *context.executor, progress));

@@ -9,7 +9,7 @@
 
 #include "base/executor.h"
 #include "base/memory.h"
-#include "base/progress.h"
+#include "base/stop.h"
 #include "toothseg.h"
 
 namespace ts::api {
@@ -47,6 +47,8 @@ struct ts_job final : ts::Monitor {
   ts_job(ts::api::ContextPtr c, ts_progress_fn f, void *u) : context(std::move(c)), progress(f), user(u) {}
 
   bool proceed(double f, const char *stage) noexcept override;
+  bool stopped() const noexcept override { return cancelled.load(std::memory_order_relaxed); }
+  const char *stage() const noexcept override { return stage_now; }
 
   // For a call that begins: a job that was cancelled before cancels it at once.
   ts::Progress begin() noexcept {
@@ -60,6 +62,7 @@ struct ts_job final : ts::Monitor {
   std::mutex calling;
   std::atomic<bool> cancelled{false};
   std::atomic<double> fraction{0};
+  std::atomic<const char *> stage_now{"work"};  // a literal
 };
 
 namespace ts::api {

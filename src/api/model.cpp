@@ -53,6 +53,7 @@ void make(ts_context *context, const ts_intake_options *options, ts_job *job, ts
   const AllocatorScope scope(context->state->allocator);
   const Stopwatch watch;
   const Progress progress = progress_of(job);
+  const StopScope stop(progress);
   auto state = std::make_shared<ModelState>();
   state->context = context->state;
   mesh::RawMesh raw = read(progress.part(0, 0.3, "reading"));

@@ -114,6 +114,7 @@ ts_status ts_segmentation_create(const ts_features *features, const ts_segment_o
     const Context &context = *features->state->model->context;
     const AllocatorScope scope(context.allocator);
     const ts::Progress progress = progress_of(job);
+    const ts::StopScope stop(progress);
     auto prepared = std::make_unique<Prepared>();
     prepared->features = features->state;
     prepared->segmenter = std::make_unique<const ts::tooth::Segmenter>(

@@ -31,6 +31,7 @@ struct Loaded {
 Loaded read_session(const ts_model &model, std::string_view text, ts_job *job) {
   const Context &context = *model.state->context;
   const ts::Progress progress = progress_of(job);
+  const ts::StopScope stop(progress);
   const mesh::Surface &surface = model.state->model.surface;
   SavedSession saved = from_json(text, surface);
   auto state = std::make_shared<FeaturesState>();

@@ -80,6 +80,7 @@ ts_mesh *make_part(const ts_segmentation &s, const tooth::Tooth *tooth, const ts
   const Executor &executor = *p.context().executor;
   const AllocatorScope scope(p.context().allocator);
   const Progress progress = progress_of(job);
+  const StopScope stop(progress);
   const Vec<const tooth::Tooth *> teeth = teeth_of(s);
   const tooth::Partition partition = tooth::partition(p.surface(), teeth);
   progress(0.2);
@@ -191,7 +192,9 @@ ts_status ts_mesh_save(const ts_mesh *mesh, const char *path, ts_output_format f
     const AllocatorScope scope(mesh->state->context->allocator);
     ts::mesh::OutputMesh out{part.position, part.triangle, {}, {}};
     out.group.push_back(group_for(mesh->state->label));
-    ts::mesh::save_mesh(path, inner, out, progress_of(job));
+    const ts::Progress progress = progress_of(job);
+    const ts::StopScope stop(progress);
+    ts::mesh::save_mesh(path, inner, out, progress);
   });
 }
 
@@ -213,6 +216,7 @@ ts_status ts_segmentation_save(const ts_segmentation *segmentation, const char *
     const Prepared &p = *segmentation->prepared;
     const AllocatorScope scope(p.context().allocator);
     const ts::Progress progress = progress_of(job);
+    const ts::StopScope stop(progress);
     const ts::Vec<const ts::tooth::Tooth *> teeth = teeth_of(*segmentation);
     ts::mesh::OutputMesh out;
     out.group.push_back(group_for(0));
@@ -234,7 +238,6 @@ ts_status ts_segmentation_save(const ts_segmentation *segmentation, const char *
     }
     out.group_of = group_of;
     ts::mesh::save_mesh(path, inner, out, progress.part(0.3, 1, "writing"));
-    progress(1);
   });
 }
 

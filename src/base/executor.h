@@ -1,4 +1,5 @@
-// The one seam to oneTBB: loops over index ranges, in an arena of the context's, or on the calling thread.
+// The one seam to oneTBB: loops over index ranges, in an arena of the context's, or on the calling thread. A loop ends
+// with Error{cancelled} before its next range once the call that it is part of is to stop (base/stop.h).
 #pragma once
 
 #include <cstddef>

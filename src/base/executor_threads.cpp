@@ -9,6 +9,7 @@
 
 #include "base/executor.h"
 #include "base/memory.h"
+#include "base/stop.h"
 
 namespace ts {
 namespace {
@@ -34,7 +35,11 @@ void Executor::ranges(std::size_t n, std::size_t grain,
                       const std::function<void(std::size_t, std::size_t)> &body) const {
   grain = std::max<std::size_t>(1, grain);
   const std::size_t chunks = n / grain + (n % grain != 0);
-  const auto chunk = [&](std::size_t c) { body(c * grain, std::min(n, (c + 1) * grain)); };
+  const Monitor *const monitor = StopScope::current();
+  const auto chunk = [&](std::size_t c) {
+    stop_if_asked(monitor);
+    body(c * grain, std::min(n, (c + 1) * grain));
+  };
   if (threads_ < 2 || chunks < 2 || inside) {
     for (std::size_t c = 0; c < chunks; ++c) chunk(c);
     return;
@@ -46,6 +51,7 @@ void Executor::ranges(std::size_t n, std::size_t grain,
   const auto work = [&] {
     const Inside loop;
     const AllocatorScope scope(hooks);
+    const StopScope stop(monitor);
     try {
       for (std::size_t c = next++; c < chunks; c = next++) chunk(c);
     } catch (...) {

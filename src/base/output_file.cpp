@@ -7,7 +7,7 @@
 #include <random>
 #include <system_error>
 
-#include "base/error.h"
+#include "base/stop.h"
 
 namespace ts {
 namespace {
@@ -44,6 +44,8 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::string_view bytes) {
+  constexpr std::size_t often = std::size_t{1} << 18;
+  if ((unasked_ += bytes.size()) >= often) unasked_ = 0, stop_if_asked();
   errno = 0;
   if (!out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) fail(reason("write error"));
 }

@@ -11,7 +11,8 @@
 namespace ts {
 
 // Written to a temporary file beside its place, which commit() puts there. Without a commit nothing is left, and what
-// was there stays. All throw Error{file_write}.
+// was there stays. All throw Error{file_write}, and
+// write() Error{cancelled} where the call that writes is to stop.
 class OutputFile {
  public:
   explicit OutputFile(const std::string &path);  // UTF-8; must not name what is there and no regular file
@@ -30,6 +31,7 @@ class OutputFile {
   std::string path_;
   std::filesystem::path place_, temporary_;
   std::ofstream out_;
+  std::size_t unasked_ = 0;  // bytes since it was asked whether to stop
 };
 
 }  // namespace ts

@@ -10,6 +10,9 @@ class Monitor {
   virtual ~Monitor() = default;
   // False = stop. May be called from any thread.
   virtual bool proceed(double fraction, const char *stage) noexcept = 0;
+  // Whether it has been told to stop, and the stage that was reported last (base/stop.h). Any thread, many at a time.
+  virtual bool stopped() const noexcept { return false; }
+  virtual const char *stage() const noexcept { return "work"; }
 };
 
 class Progress {
@@ -25,6 +28,8 @@ class Progress {
     p.stage_ = stage;
     return p;
   }
+
+  const Monitor *monitor() const noexcept { return monitor_; }
 
   // Reports that `fraction` of this part is done; throws Error{cancelled} if the work is to stop.
   void operator()(double fraction) const {

@@ -1,13 +1,14 @@
 #include "base/whole_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <new>
 
-#include "base/error.h"
 #include "base/output_file.h"
+#include "base/stop.h"
 
 namespace ts {
 
@@ -35,11 +36,14 @@ Vec<std::byte> read_whole_file(const std::string &path) {
   const std::uintmax_t expected = fs::file_size(native, code);
   bytes.resize(code ? std::size_t{1} << 20 : static_cast<std::size_t>(expected) + 1);
   for (;;) {
-    in.read(reinterpret_cast<char *>(bytes.data() + size), static_cast<std::streamsize>(bytes.size() - size));
+    constexpr std::size_t piece = std::size_t{1} << 22;  // between two looks at whether to stop
+    stop_if_asked();
+    in.read(reinterpret_cast<char *>(bytes.data() + size),
+            static_cast<std::streamsize>(std::min(piece, bytes.size() - size)));
     size += static_cast<std::size_t>(in.gcount());
     if (in.eof()) break;
     if (!in) throw Error(Fault::file_open, "cannot read '" + path + "' beyond byte " + std::to_string(size));
-    bytes.resize(2 * bytes.size());
+    if (size == bytes.size()) bytes.resize(2 * bytes.size());
   }
   bytes.resize(size);
   return bytes;

@@ -10,7 +10,7 @@ namespace ts::field {
 // triangle is read and written, and what is above it is of no meaning before and after.
 struct DenseKernels {
   // Eliminates the first k of m unknowns: columns 0..k-1 become those of the Cholesky factor, the rest what the
-  // elimination leaves of the matrix. False if a pivot is not positive.
+  // elimination leaves of the matrix. False if a pivot is not positive and finite.
   bool (*eliminate)(double *front, std::size_t ld, std::size_t m, std::size_t k);
   // panel L^-1 in place: `rows` x k, rows a multiple of 8; L lower triangular, its diagonal as `inverse`.
   void (*divide)(double *panel, std::size_t rows, std::size_t k, const double *l, std::size_t ld,

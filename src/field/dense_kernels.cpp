@@ -78,7 +78,7 @@ void subtract(double *f, size_t ld, size_t column, size_t width, size_t from, si
 bool finish(double *f, size_t ld, size_t column, size_t width) {
   for (size_t j = column; j < column + width; ++j) {
     double *c = f + j * ld;
-    if (!(c[j] > 0)) return false;
+    if (!(c[j] > 0 && c[j] <= __DBL_MAX__)) return false;
     const double root = __builtin_sqrt(c[j]), inverse = 1 / root;
     for (size_t i = j & ~size_t{7}; i < ld; i += kLanes) at(c + i) *= inverse;
     c[j] = root;

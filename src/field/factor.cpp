@@ -349,7 +349,7 @@ void Factor::eliminate(Index part, const double *left, const double *right, doub
   add(p.children[0], left);
   add(p.children[1], right);
   if (!dense_kernels().eliminate(front, ld, m, k))
-    throw Error(Fault::solver, "the Laplacian could not be factorised: weights not positive");
+    throw Error(Fault::solver, "the Laplacian could not be factorised: weights not positive and finite");
 
   const Record head = record(part);
   double *const begin = panels + offset_[part], *const inverse = panels + own_offset_[part];

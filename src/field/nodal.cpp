@@ -61,6 +61,7 @@ Eigen::VectorXd Nodal::solve(std::span<const double> held, double alpha) const {
   const Eigen::LLT<Eigen::MatrixXd> llt(a);
   if (llt.info() != Eigen::Success) throw Error(Fault::solver, "the system of a click's constraints is singular");
   const Eigen::VectorXd x = llt.solve(b);
+  if (!x.allFinite()) throw Error(Fault::solver, "the values of a click's constraints are not finite");
   for (Eigen::Index i = 0; i < m; ++i) u[unknown[static_cast<std::size_t>(i)]] = x[i];
   return u;
 }

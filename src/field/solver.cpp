@@ -36,6 +36,8 @@ Solver::Solver(const mesh::Surface &surface, Vec<double> edge_weight, const Node
   factor_ = std::make_unique<const Factor>(
       Laplacian{surface, std::move(edge_weight), node_of_, static_cast<Index>(nodes.size())}, std::move(dissection),
       place, most_bytes > own ? most_bytes - own : 0, executor, progress.part(0.2, 1, "factorisation"));
+  // What lies between nodes alone is in no pivot.
+  if (!factor_->corner().allFinite()) throw Error(Fault::solver, "the weights between the constraints are not finite");
   nodal_ = Nodal(factor_->corner());
   for (Index v = 0; v < surface.vertices(); ++v)
     if (const Index piece = surface.vertex_component[v]; node_of_[v] != mesh::none && piece != mesh::none)

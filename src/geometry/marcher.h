@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/stop.h"
 #include "mesh/surface.h"
 
 namespace ts::geometry {
@@ -28,7 +29,9 @@ class Marcher {
   // those reached have a distance too, from what was reached.
   template <class Reach>
   void run(const Reach &reach) {
+    StopNowAndThen stop(1 << 12);
     while (!heap_.empty()) {
+      stop();
       std::pop_heap(heap_.begin(), heap_.end());
       const Entry top = heap_.back();
       heap_.pop_back();

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "base/stop.h"
 #include "mesh/surface.h"
 
 namespace ts::geometry {
@@ -40,7 +41,9 @@ class PathFinder {
       stamp_[v] = open_ + 1;  // in the queue
     };
     for (const PathStart &s : starts) offer(s.vertex, s.distance);
+    StopNowAndThen stop(kOften);
     for (std::size_t at = 0; at < queue_.size(); ++at) {
+      stop();
       if (at > 16 * reached_.size()) return within_by_search(starts, cost, limit);
       const Index v = queue_[at];
       stamp_[v] = open_;
@@ -56,7 +59,9 @@ class PathFinder {
   void search(std::span<const PathStart> starts, const Cost &cost, const Reach &reach) {
     begin();
     for (const PathStart &s : starts) offer(s.vertex, s.distance, s.tag);
+    StopNowAndThen stop(kOften);
     while (!heap_.empty()) {
+      stop();
       std::pop_heap(heap_.begin(), heap_.end());
       const Entry top = heap_.back();
       heap_.pop_back();
@@ -69,6 +74,8 @@ class PathFinder {
   }
 
  private:
+  static constexpr unsigned kOften = 1 << 13;
+
   template <class Cost>
   std::span<const Index> within_by_search(std::span<const PathStart> starts, const Cost &cost, double limit) {
     reached_.clear();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/stop.h"
+
 namespace ts::geometry {
 namespace {
 
@@ -103,7 +105,9 @@ Vec<Sample> area_samples(const mesh::Surface &surface, double spacing, const Fra
   // Half a cube aside, so that a flat surface lies within a layer of cubes, not between two.
   constexpr double middle = (1 << (cell_bits - 1)) + 0.5;
   Vec<std::pair<Corners, double>> stack;
+  StopNowAndThen stop(1 << 13);
   for (std::size_t f = 0; f < surface.faces(); ++f) {
+    stop();
     const auto [i, j, k] = surface.triangle[f];
     const double area = surface.face_area[f];
     if (!(area > 0)) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/stop.h"
 #include "mesh/rows.h"
 #include "mesh/triangulate.h"
 
@@ -116,7 +117,9 @@ bool any_duplicate(std::span<const Triangle> triangle, const Rows &around, const
 Vec<Index> find_duplicates(std::span<const Triangle> triangle, const Rows &around) {
   Vec<Index> same(triangle.size());
   Vec<Corners> corners;
+  StopNowAndThen stop(1 << 14);
   for (std::size_t v = 0; v < around.size(); ++v) {
+    stop();
     gather(triangle, around[v], static_cast<Index>(v), corners);
     std::sort(corners.begin(), corners.end());
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -167,7 +170,9 @@ void label_degenerate(const RawMesh &raw, std::span<const Index> kept, CleanFace
     for (const Index v : clean.triangle[t])
       if (wanted[v]) add(v);
   });
+  StopNowAndThen stop(1 << 14);
   for (Index f = 0; f < raw.faces(); ++f) {
+    stop();
     const std::span<const Index> corners = raw.face(f);
     if (clean.label[f] != none || corners.empty()) continue;
     Vec3 centre(0, 0, 0);

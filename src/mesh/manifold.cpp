@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/stop.h"
 #include "mesh/edges.h"
 
 namespace ts::mesh {
@@ -140,12 +141,14 @@ bool Repair::one_fan_each() const {
 Vec<std::uint8_t> Repair::orient() const {
   Vec<std::uint8_t> flip(triangle_.size(), 2);  // 2: not reached
   Vec<Index> piece;
+  StopNowAndThen stop(1 << 14);
   for (Index seed = 0; seed < triangle_.size(); ++seed) {
     if (flip[seed] != 2) continue;
     flip[seed] = 0;
     piece.assign(1, seed);
     double as_is = 0, turned = 0;
     for (std::size_t i = 0; i < piece.size(); ++i) {
+      stop();
       const Index f = piece[i];
       const auto [a, b, c] = triangle_[f];
       const double area = (position_[b] - position_[a]).cross(position_[c] - position_[a]).norm();
@@ -232,7 +235,9 @@ void Repair::split() {
   const auto around = [&](Index corner, const auto &step, Index vertex) {
     for (Index h = corner; h != none && !done[h]; h = step(h)) done[h] = 1, out_.triangle[h / 3][h % 3] = vertex;
   };
+  StopNowAndThen stop(1 << 16);
   for (Index h = 0; h < twin_.size(); ++h) {
+    stop();
     if (done[h]) continue;
     Index v = from(h);
     if (fans[v]) {

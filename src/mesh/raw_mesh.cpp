@@ -3,7 +3,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "base/error.h"
+#include "base/stop.h"
 
 namespace ts::mesh {
 namespace {
@@ -11,7 +11,9 @@ namespace {
 template <class Real>
 void copy_positions(const void *from, std::size_t stride, Vec<Vec3> &to) {
   const auto *bytes = static_cast<const std::byte *>(from);
+  StopNowAndThen stop(1 << 16);
   for (Vec3 &p : to) {
+    stop();
     Real xyz[3];  // the caller's array may be unaligned
     std::memcpy(xyz, bytes, sizeof xyz);
     p = Vec3(xyz[0], xyz[1], xyz[2]);

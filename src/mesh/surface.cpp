@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/stop.h"
 #include "mesh/edges.h"
 #include "mesh/rows.h"
 
@@ -128,6 +129,7 @@ void find_components(Surface &s) {
   s.component.assign(s.faces(), none);
   Vec<double> area;
   Vec<Index> stack;
+  StopNowAndThen stop(1 << 16);
   for (Index f = 0; f < s.faces(); ++f) {
     if (s.component[f] != none) continue;
     const Index c = static_cast<Index>(area.size());
@@ -135,6 +137,7 @@ void find_components(Surface &s) {
     s.component[f] = c;
     stack.push_back(f);
     while (!stack.empty()) {
+      stop();
       const Index g = stack.back();
       stack.pop_back();
       area[c] += s.face_area[g];
@@ -152,6 +155,7 @@ void find_components(Surface &s) {
   for (Index i = 0; i < order.size(); ++i) rank[order[i]] = i;
   s.vertex_component.assign(s.vertices(), none);
   for (Index f = 0; f < s.faces(); ++f) {
+    stop();
     s.component[f] = rank[s.component[f]];
     for (const Index v : s.triangle[f]) s.vertex_component[v] = s.component[f];
   }
@@ -162,7 +166,9 @@ void trace_boundaries(Surface &s) {
   s.on_boundary.assign(s.vertices(), 0);
   // On a manifold mesh each boundary vertex starts exactly one boundary half-edge.
   Vec<Index> leaving(s.vertices(), none);
+  StopNowAndThen stop(1 << 16);
   for (Index h = 0; h < s.twin.size(); ++h) {
+    stop();
     if (s.twin[h] != none) continue;
     leaving[s.from(h)] = h;
     s.on_boundary[s.from(h)] = s.on_boundary[s.to(h)] = 1;
@@ -170,6 +176,7 @@ void trace_boundaries(Surface &s) {
   Vec<Vec<Index>> loops;
   Vec<double> lengths;
   for (Index v = 0; v < s.vertices(); ++v) {
+    stop();
     Vec<Index> loop;
     double length = 0;
     for (Index w = v; leaving[w] != none;) {

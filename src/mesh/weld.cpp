@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/stop.h"
 #include "mesh/rows.h"
 
 namespace ts::mesh {
@@ -107,10 +108,16 @@ Vec<Index> weld(std::span<const Vec3> position, double tolerance, const Executor
   Vec<Index> order;
   for (Index v = 0; v < kept.size(); ++v)
     if (kept[v] == v) order.push_back(v);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return before(position[a], position[b]); });
+  StopNowAndThen stop(1 << 16);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    stop();
+    return before(position[a], position[b]);
+  });
+  stop = StopNowAndThen(1 << 12);
   Grid grid(position, tolerance);
   Vec<Index> leader(kept.size(), none);
   for (const Index v : order) {
+    stop();
     const Index near = grid.nearest(position[v]);
     leader[v] = near == none ? v : near;
     if (near == none) grid.add(v);

@@ -77,7 +77,7 @@ void save_mesh(const std::string &path, OutputFormat format, const OutputMesh &m
     case OutputFormat::obj: write_obj(out, mesh); break;
     case OutputFormat::glb: write_glb(out, mesh); break;
   }
-  progress(0.9);  // the last moment at which it can be cancelled
+  progress(1);  // the last moment at which it can be cancelled
   out.commit();
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "mesh/decimal.h"
 
 namespace ts::mesh {
@@ -19,9 +20,11 @@ struct Piece {
 Vec<Piece> pieces_of(const OutputMesh &mesh) {
   Vec<Piece> pieces(mesh.group.size());
   Vec<Index> place(mesh.position.size(), none), group(mesh.position.size(), none);
+  StopNowAndThen stop(1 << 16);
   for (Index g = 0; g < pieces.size(); ++g) {
     Piece &piece = pieces[g];
     for (std::size_t i = 0; i < mesh.triangle.size(); ++i) {
+      stop();
       if ((mesh.group_of.empty() ? 0 : mesh.group_of[i]) != g) continue;
       Triangle t = mesh.triangle[i];
       for (Index &v : t) {
@@ -36,6 +39,7 @@ Vec<Piece> pieces_of(const OutputMesh &mesh) {
     }
     piece.normal.assign(piece.position.size(), Vec3::Zero());
     for (const auto &[a, b, c] : piece.triangle) {
+      stop();
       const Vec3 &p = piece.position[a];
       const Vec3 n = (piece.position[b] - p).cross(piece.position[c] - p);
       for (const Index v : {a, b, c}) piece.normal[v] += n;

@@ -99,7 +99,8 @@ Vec<Cells::Strung> Cells::string(std::span<const CutLine> lines) {
     }
     const double away = same_edge ? p.t - point_t_.back() : 1;
     const bool joins =
-        away == 0 || (away * surface_.edge_length(p.edge) < kSnap && std::ranges::find(here, p.tooth) == here.end());
+        same_edge &&
+        (away == 0 || (away * surface_.edge_length(p.edge) < kSnap && std::ranges::find(here, p.tooth) == here.end()));
     if (!joins) {
       here.clear();
       const auto [low, high] = surface_.edge[p.edge];

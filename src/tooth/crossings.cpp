@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/stop.h"
+
 namespace ts::tooth {
 namespace {
 
@@ -86,21 +88,26 @@ Vec<std::array<Index, 2>> crossings(std::span<const Vec3> position, std::span<co
     whole.low = whole.low.cwiseMin(b.low), whole.high = whole.high.cwiseMax(b.high);
   }
   Vec<Box> boxes;
+  StopNowAndThen stop(1 << 13);
   for (Index t = 0; t < triangle.size(); ++t) {
+    stop();
     const Box b = box_of(t);
     if ((b.low.array() <= whole.high.array()).all() && (b.high.array() >= whole.low.array()).all()) boxes.push_back(b);
   }
   Eigen::Index axis = 0;
   (whole.high - whole.low).maxCoeff(&axis);
   std::sort(boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
+    stop();
     return std::pair{a.low[axis], a.triangle} < std::pair{b.low[axis], b.triangle};
   });
   const TrianglePairs pairs(position, triangle);
   Vec<std::size_t> open;  // boxes that the sweep is in
   for (std::size_t i = 0; i < boxes.size(); ++i) {
+    stop();
     const Box &b = boxes[i];
     std::erase_if(open, [&](std::size_t k) { return boxes[k].high[axis] < b.low[axis]; });
     for (const std::size_t k : open) {
+      stop();
       const Box &a = boxes[k];
       if (a.triangle < first && b.triangle < first) continue;
       if ((a.low.array() > b.high.array()).any() || (a.high.array() < b.low.array()).any()) continue;

@@ -152,8 +152,8 @@ Freed free_around(const Prepared &p, Relining &lining, const cut::Polyline &line
     try {
       lining.border().free_stretch(f.begin, f.end, p.relief->length, lining.reach_along(f.stretch));
       return f;
-    } catch (const Error &) {
-      if (--tries == 0) throw;
+    } catch (const Error &e) {
+      if (e.fault() == Fault::cancelled || --tries == 0) throw;
     }
   }
 }

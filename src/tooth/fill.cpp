@@ -8,6 +8,7 @@
 #include <map>
 #include <unordered_set>
 
+#include "base/stop.h"
 #include "mesh/triangulate.h"
 
 namespace ts::tooth {
@@ -17,6 +18,15 @@ namespace {
 // are cut by ears in their plane.
 constexpr std::size_t kMostForLeastArea = 1000;
 constexpr double kTaken = 1e9;  // mm^2, the price of an edge that is there already
+
+// Eigen's own preconditioner, which looks at each step of a solve whether to stop.
+struct Asking : Eigen::DiagonalPreconditioner<double> {
+  template <class Right>
+  auto solve(const Eigen::MatrixBase<Right> &right) const {
+    stop_if_asked();
+    return Eigen::DiagonalPreconditioner<double>::solve(right);
+  }
+};
 
 std::uint64_t key(Index a, Index b) {
   return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
@@ -107,9 +117,10 @@ class Patch {
   void flip() {
     constexpr int most = 40;
     bool flipped = true;
+    StopNowAndThen stop(1 << 13);
     for (int pass = 0; pass < most && flipped; ++pass) {
       flipped = false;
-      for (Index t = 0; t < triangle_.size(); ++t)
+      for (Index t = 0; t < triangle_.size(); ++t, stop())
         for (Index k = 0; k < 3; ++k) flipped = try_flip(t, k) || flipped;
     }
   }
@@ -143,7 +154,7 @@ class Patch {
     for (Index v = 0; v < inside; ++v) entries.emplace_back(v, v, diagonal[v]);
     Eigen::SparseMatrix<double> matrix(inside, inside);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper, Asking> solver;
     solver.setTolerance(1e-8);
     solver.compute(matrix);
     const Eigen::MatrixX3d x = solver.solveWithGuess(right, now);

@@ -82,6 +82,8 @@ void add_node(Prepared &p, const mesh::SurfacePoint &at, Index group) {
       throw Error(Fault::click_on_gingiva, "the click lies on gingiva for certain, or on a point that was freed");
     throw Error(Fault::no_cut, "the click lies on a constraint of a tooth that could not be cut around it");
   }
+  if (p.solver->factor().place(nearest) == mesh::none)
+    throw Error(Fault::click_on_gingiva, "the point is on a piece of the surface without feature points");
   const Vec<Index> disc = disc_at(p, at, nearest);
   const auto node = static_cast<Index>(p.nodes.size());
   for (const Index v : disc) p.nodes.of_vertex[v] = node;

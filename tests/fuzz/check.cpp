@@ -109,23 +109,60 @@ void tooth(const ts_model *m, const Surface &s, const ts_segmentation *seg, Inde
   }
   auto frame = sized<ts_tooth_frame>();
   if (ts_get_tooth_frame(seg, id, &frame) == TS_OK) HOLDS(finite(frame.centre, 15));
+  for (const auto &e :
+       all<ts_cut_edit>([&](ts_cut_edit *p, Index n, Index *c) { return ts_get_cut_edits(seg, id, p, n, c); }))
+    HOLDS(std::isfinite(e.amount) && finite(e.from, 6));
   static_cast<void>(m);
 }
 
-void click(const ts_segmentation *seg, Index number) {
+// A piece of the mesh holds a constraint, and has values everywhere, or does not, and has none.
+void whole_pieces(const Surface &s, const std::vector<double> &u) {
+  for (std::size_t t = 0; t < s.triangles.size(); t += 3)
+    for (std::size_t k = 1; k < 3; ++k) HOLDS(std::isnan(u[s.triangles[t]]) == std::isnan(u[s.triangles[t + k]]));
+}
+
+void click(const Surface &s, const ts_segmentation *seg, Index number) {
   auto info = sized<ts_click_info>();
   HOLDS(ts_get_click(seg, number, &info) == TS_OK);
-  HOLDS(finite(info.position, 3) && !(info.target_distance < 0));
+  HOLDS(finite(info.position, 3) && info.target_distance >= 0);
+  HOLDS(info.neighbour == TS_NONE || info.neighbour_distance >= 0);
+  HOLDS(info.v_med >= 0 && info.v_med <= 1 && info.target_iso >= 0 && info.target_iso <= 1);
+  HOLDS(info.neighbour == TS_NONE || std::isnan(info.neighbour_iso) ||
+        (info.neighbour_iso >= 0 && info.neighbour_iso <= 1));
   const auto u = all<double>([&](double *p, Index n, Index *c) { return ts_get_field(seg, number, p, n, c); });
   // The maximum principle: all weights are positive. The penalty lets a little through.
   for (const double x : u) HOLDS(std::isnan(x) || (x >= -1e-6 && x <= 1 + 1e-6));
+  HOLDS(3 * u.size() == s.xyz.size());
+  whole_pieces(s, u);
   const auto bins = all<Index>([&](Index *p, Index n, Index *c) { return ts_get_histogram(seg, number, p, n, c); });
   std::size_t counted = 0;
   for (const Index b : bins) counted += b;
-  HOLDS(counted <= u.size());
+  HOLDS(counted ==
+        static_cast<std::size_t>(std::count_if(u.begin(), u.end(), [](double x) { return !std::isnan(x); })));
+  Index contour = 0;
   for (const auto &c : all<ts_contour_info>(
-           [&](ts_contour_info *p, Index n, Index *k) { return ts_get_contours(seg, number, p, n, k); }))
+           [&](ts_contour_info *p, Index n, Index *k) { return ts_get_contours(seg, number, p, n, k); })) {
     HOLDS(c.iso > 0 && c.iso < 1 && std::isfinite(c.gradient) && std::isfinite(c.concavity) && std::isfinite(c.length));
+    HOLDS(c.gradient >= 0 && c.concavity >= 0 && c.concavity <= 1 + 1e-9 && c.length >= 0);
+    const auto points = all<ts_edge_point>([&](ts_edge_point *p, Index n, Index *k) {
+      return ts_get_contour_points(seg, number, contour, p, n, k, nullptr, nullptr);
+    });
+    HOLDS(points.size() == c.points);
+    for (const ts_edge_point &p : points) HOLDS(p.t >= 0 && p.t <= 1 && finite(p.position, 3));
+    ++contour;
+  }
+}
+
+// Numbers, where they have been assigned.
+void numbers(const ts_segmentation *seg, const std::vector<Index> &teeth) {
+  auto jaw = sized<ts_jaw_info>();
+  if (ts_get_jaw(seg, &jaw) == TS_OK) HOLDS(jaw.confidence >= 0 && jaw.confidence <= 1);
+  for (const Index id : teeth) {
+    auto number = sized<ts_number_info>();
+    if (ts_get_number(seg, id, &number) != TS_OK) continue;
+    Index universal = 0;
+    HOLDS(number.confidence >= 0 && number.confidence <= 1 && ts_fdi_to_universal(number.fdi, &universal) == TS_OK);
+  }
 }
 
 }  // namespace
@@ -215,7 +252,11 @@ void segmentation(const ts_model *m, const ts_segmentation *seg, bool deep) {
   if (!deep) return;
   Index clicks = 0;
   HOLDS(ts_get_click_count(seg, &clicks) == TS_OK);
-  for (Index k = 0; k < clicks; ++k) click(seg, k);
+  for (Index k = 0; k < clicks; ++k) click(s, seg, k);
+  numbers(seg, teeth);
+  auto memory = sized<ts_memory_info>();
+  HOLDS(ts_get_memory(seg, &memory) == TS_OK && memory.factor <= memory.segmentation &&
+        memory.factor <= memory.factor_whole);
   for (const std::uint32_t closed : {0u, 1u}) {
     auto options = sized<ts_tooth_mesh_options>();
     options.closed = closed;

@@ -1,5 +1,7 @@
 // Every allocation fails once: of every public function, first those of the context's allocator, then all of the C
 // heap. The call says TS_E_OUT_OF_MEMORY, nothing has changed, nothing leaks, and the same call works afterwards.
+//   test_faults FOLDER [CALL]
+//   test_faults FOLDER --triangles N --sampled COUNT: some allocations of each long call, on a larger mesh.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
@@ -11,6 +13,7 @@
 #include <string>
 
 #include "check.h"
+#include "faults_sampled.h"
 #include "heap.h"
 #include "scene.h"
 
@@ -458,8 +461,11 @@ void each_allocation_fails(Scene &s, const Hook &hook, const Call &call, const c
 }  // namespace
 
 int main(int argc, char **argv) {
-  if (argc < 2 || argc > 3) return std::fprintf(stderr, "usage: test_faults FOLDER [CALL]\n"), 2;
   std::setvbuf(stdout, nullptr, _IOLBF, 1024);
+  if (argc == 6 && !std::strcmp(argv[2], "--triangles") && !std::strcmp(argv[4], "--sampled"))
+    return sampled_faults(argv[1], static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)), std::atoi(argv[5]));
+  if (argc < 2 || argc > 3)
+    return std::fprintf(stderr, "usage: test_faults FOLDER [CALL] | FOLDER --triangles N --sampled COUNT\n"), 2;
   static Hook hook;
   const std::vector<Call> all = calls(argv[1]);
   Scene s(hook);

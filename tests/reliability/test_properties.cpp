@@ -1,8 +1,6 @@
 // What must hold of any arch: random ones, moved, turned, mirrored, in other units, their vertices and faces in another
 // order.
 //   test_properties ARCHES [FIRST_SEED]. SPDX-License-Identifier: Apache-2.0
-#include <toothseg_arch.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,15 +13,11 @@
 #include <set>
 #include <string>
 
+#include "arch.h"
 #include "check.h"
 #include "scene.h"
 
 namespace {
-
-struct Mesh {
-  std::vector<double> xyz;
-  std::vector<std::uint32_t> triangles;
-};
 
 Mesh arch_of(std::mt19937_64 &random) {
   const auto share = [&] { return std::uniform_real_distribution<double>()(random); };
@@ -41,19 +35,7 @@ Mesh arch_of(std::mt19937_64 &random) {
     if (std::find(missing.begin(), missing.end(), fdi) == missing.end()) missing.push_back(fdi);
   }
   o.missing = missing.data(), o.missing_count = static_cast<std::uint32_t>(missing.size());
-  tsa_arch *arch = nullptr;
-  HOLDS(tsa_create(&o, &arch) == TSA_OK);
-  Mesh m;
-  m.xyz = check::all<double>([&](double *p, std::uint32_t n,
-                                 std::uint32_t *c) { return static_cast<ts_status>(tsa_get_positions(arch, p, n, c)); },
-                             3);
-  m.triangles = check::all<std::uint32_t>(
-      [&](std::uint32_t *p, std::uint32_t n, std::uint32_t *c) {
-        return static_cast<ts_status>(tsa_get_triangles(arch, p, n, c));
-      },
-      3);
-  tsa_destroy(arch);
-  return m;
+  return arch_mesh(o);
 }
 
 // A label a face, of all teeth that are found; the checks of any result are made on the way.
