@@ -90,7 +90,7 @@ void add_midlines(const Curve &curve, ArchRow &row) {
   constexpr double longest = 1000;
   const int length = static_cast<int>(std::min(longest, curve.length()));
   row.midline_from = -outside;
-  row.midline.assign(static_cast<std::size_t>(length + 2 * outside + 1), 0);
+  row.midline.assign(static_cast<std::size_t>(length) + 2 * outside + 1, 0);
   double sum = 0;
   for (int s = 0; s <= length; ++s) {
     const double sides = std::min({reach, static_cast<double>(s), curve.length() - s});
@@ -107,7 +107,7 @@ void add_midlines(const Curve &curve, ArchRow &row) {
       size += a.squaredNorm() + b.squaredNorm();
     }
     const double off = std::max(0.0, size - 2 * std::hypot(same, turned)) / n;
-    sum += row.midline[static_cast<std::size_t>(s + outside)] = std::exp(-off / (2 * unevenness * unevenness));
+    sum += row.midline[static_cast<std::size_t>(s) + outside] = std::exp(-off / (2 * unevenness * unevenness));
   }
   const double inside = length + 1;
   for (int i = 0; double &m : row.midline) {

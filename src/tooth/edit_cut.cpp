@@ -34,7 +34,7 @@ void need_finite(double value, const char *name) {
 }
 
 mesh::SurfacePoint on_surface(const Prepared &p, const Tooth &tooth, const Vec3 &at, const Surroundings &around) {
-  const mesh::SurfacePoint point = around.nearest(at);
+  mesh::SurfacePoint point = around.nearest(at);
   if (point.distance > p.options.click_reach)
     throw Error(Fault::click_off_surface,
                 text_of(at) + " is " + std::to_string(point.distance) + " mm from the surface");
@@ -143,7 +143,7 @@ struct Freed {
 // begins or ends so near to another part of the border that it is taken for that.
 Freed free_around(const Prepared &p, Relining &lining, const cut::Polyline &line, const OnLine &on, double &half) {
   constexpr double kShorter = 0.85;
-  for (int tries = 4;; half *= kShorter) {
+  for (int tries = 4;;) {
     Freed f{{on.loop, along(line, on.place, false, half), along(line, on.place, true, half)}, mesh::none, mesh::none};
     f.begin = lining.border().nearest(line.points[f.stretch.first], p.relief->length, half);
     f.end = lining.border().nearest(line.points[f.stretch.last], p.relief->length, half);
@@ -154,6 +154,7 @@ Freed free_around(const Prepared &p, Relining &lining, const cut::Polyline &line
       return f;
     } catch (const Error &e) {
       if (e.fault() == Fault::cancelled || --tries == 0) throw;
+      half *= kShorter;
     }
   }
 }

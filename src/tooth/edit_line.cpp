@@ -172,13 +172,13 @@ Tooth Relining::offset(double mm) {
   return finish(std::move(zone), {}, {});
 }
 
-Tooth Relining::smooth(double strength) {
+Tooth Relining::smooth(double radius) {
   cut::Space &space = *space_;
   Vec<geometry::PathStart> starts;
   for (const cut::CrossedEdge &c : crossed_.all()) starts.push_back({c.point.a}), starts.push_back({c.point.b});
   Vec<Index> zone;
   for (const Index v : space.paths.within(
-           starts, [&](Index e) { return p_.relief->length[e]; }, std::max(4 * strength, 2 * s_.mean_edge)))
+           starts, [&](Index e) { return p_.relief->length[e]; }, std::max(4 * radius, 2 * s_.mean_edge)))
     if (kind(v) == kFree) zone.push_back(v);
   std::ranges::sort(zone);
   hold_inside();
@@ -193,7 +193,7 @@ Tooth Relining::smooth(double strength) {
     }
     space.level.set(at.vertex, all > 0 ? 1 - 2 * in / all : 1);
   }
-  cut::smooth_psi(s_, p_.relief->cotangent, strength, zone, {}, space);
+  cut::smooth_psi(s_, p_.relief->cotangent, radius, zone, {}, space);
   return finish(std::move(zone), {}, {});
 }
 
