@@ -78,7 +78,7 @@ static void colour_of(uint32_t label, unsigned char rgb[3]) {
   for (i = 0; i < 3; ++i) {
     const double towards = fabs(fmod(hue + 6 - 2 * i, 6.0) - 3) - 1; /* 0 to 1: how much of this channel */
     const double part = towards < 0 ? 0 : towards > 1 ? 1 : towards;
-    rgb[i] = label == 0 ? gingiva[i] : (unsigned char)(80 + 160 * part + 0.5);
+    rgb[i] = label == 0 ? gingiva[i] : (unsigned char)floor(80 + 160 * part + 0.5);
   }
 }
 

@@ -17,7 +17,7 @@ mesh::SurfacePoint surface_point(const Prepared &p, const Vec3 &position) {
 
 // Near enough to the surface to be meant for it.
 mesh::SurfacePoint point_on(const Prepared &p, const Vec3 &position) {
-  const mesh::SurfacePoint at = surface_point(p, position);
+  mesh::SurfacePoint at = surface_point(p, position);
   if (at.distance > p.segmenter->options().click_reach)
     throw Error(Fault::click_off_surface, "the point is " + std::to_string(at.distance) + " mm from the surface");
   return at;

@@ -55,7 +55,7 @@ class Builder {
   }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
-  [[noreturn]] bool parse_error(std::size_t byte, const std::string &, const nlohmann::json::exception &) {
+  [[noreturn]] bool parse_error(std::size_t byte, const std::string &, const nlohmann::json::exception &) const {
     if (byte >= size_) throw Error(Fault::file_truncated, "the session ends in the middle of its text");
     throw Error(Fault::file_syntax, "no JSON at byte " + std::to_string(byte));
   }

@@ -16,12 +16,14 @@ class Json {
   enum class Kind { null, boolean, integer, number, text, array, object };
 
   Json() = default;
+  // NOLINTBEGIN(google-explicit-constructor): a value of JSON is what it is made of
   Json(bool value) : kind_(Kind::boolean), integer_(value) {}
   Json(std::uint64_t value) : kind_(Kind::integer), integer_(value) {}
   Json(std::uint32_t value) : Json(std::uint64_t{value}) {}
   Json(double value) : kind_(Kind::number), number_(value) {}
   Json(std::string value) : kind_(Kind::text), text_(std::move(value)) {}
   Json(const char *value) : Json(std::string(value)) {}
+  // NOLINTEND(google-explicit-constructor)
   static Json array() { return of(Kind::array); }
   static Json object() { return of(Kind::object); }
 

@@ -1,3 +1,5 @@
+#include <ranges>
+
 #include "api/guard.h"
 #include "api/session_json.h"
 #include "base/whole_file.h"
@@ -16,9 +18,8 @@ std::string written(const ts_segmentation &s) {
   saved.options = s.prepared->segmenter->options();
   saved.commands = s.history.forgotten();
   for (const History::Step &step : s.history.done()) saved.commands.push_back(step.command);
-  const auto &undone = s.history.undone();
-  for (auto step = undone.rbegin(); step != undone.rend(); ++step) saved.commands.push_back(step->command);
-  saved.undone = undone.size();
+  for (const History::Step &step : s.history.undone() | std::views::reverse) saved.commands.push_back(step.command);
+  saved.undone = s.history.undone().size();
   saved.result_hash = hash_of(s.session);
   return to_json(saved, s.prepared->surface());
 }
@@ -44,6 +45,7 @@ Loaded read_session(const ts_model &model, std::string_view text, ts_job *job) {
   prepared->segmenter = std::make_unique<const tooth::Segmenter>(surface, state->set.features(), saved.options,
                                                                  *context.executor, progress.part(0, 0.5, "session"));
   tooth::Session session(surface);
+  // NOLINTNEXTLINE(modernize-make-unique): an aggregate, made in its place
   loaded.segmentation.reset(new ts_segmentation{std::move(prepared), std::move(session)});
   ts_segmentation &s = *loaded.segmentation;
   const double count = static_cast<double>(saved.commands.size());

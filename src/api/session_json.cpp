@@ -252,7 +252,7 @@ Command command_of(const Place &step) {
 
 std::string hex(std::uint64_t value) {
   char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
+  static_cast<void>(std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value)));
   return digits;
 }
 

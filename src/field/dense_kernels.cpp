@@ -11,6 +11,7 @@ using std::size_t;
 constexpr size_t kLanes = TS_LANES;  // doubles in a register: 2, 4 or 8
 typedef double Lanes __attribute__((vector_size(8 * kLanes), may_alias));
 
+// NOLINTNEXTLINE(readability-non-const-parameter): written to by way of what is returned
 inline __attribute__((always_inline)) Lanes &at(double *p) {
   return *reinterpret_cast<Lanes *>(p);
 }
