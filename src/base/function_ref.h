@@ -15,7 +15,7 @@ class FunctionRef<Result(Arguments...)> {
  public:
   template <class F>
   requires(!std::is_same_v<std::remove_cvref_t<F>, FunctionRef>)
-      // Anything else that can be called. NOLINTNEXTLINE(google-explicit-constructor,bugprone-forwarding-reference-overload)
+      // NOLINTNEXTLINE(google-explicit-constructor,bugprone-forwarding-reference-overload): what can be called
       FunctionRef(F &&f)
       : object_(const_cast<void *>(static_cast<const void *>(std::addressof(f)))),
         call_([](void *object, Arguments... arguments) -> Result {
