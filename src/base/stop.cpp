@@ -3,6 +3,7 @@
 namespace ts {
 namespace {
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): each thread's own, set by StopScope alone
 thread_local const Monitor *current_monitor = nullptr;
 
 }  // namespace

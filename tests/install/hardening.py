@@ -13,6 +13,7 @@ import sys
 # Of the symbol, by its name in C++: why it may be there.
 ALLOWED = {
     "ts::(anonymous namespace)::current_hooks": "the allocator that the running thread works for: AllocatorScope",
+    "ts::(anonymous namespace)::current_monitor": "whom the running thread asks whether to stop: StopScope",
     "__tls_guard": "the compiler's, for current_hooks: is it constructed in this thread?",
     "ts::api::(anonymous namespace)::last_message": "ts_last_error_message of each thread",
     "ts::field::dense_kernels()::best": "const, set once: the kernels that this processor runs",

@@ -124,8 +124,8 @@ int main(int argc, char **argv) {
   // Rounding alone: a face whose two sides weigh the same may go either way, and so may a level that is as good as the
   // next.
   constexpr double kRounding = 0.002;
-  // Teeth that are larger are other teeth, since lengths of the method are in mm: less than one tooth may differ, and mostly
-  // a rim of faces along cuts does.
+  // Teeth that are larger are other teeth, since lengths of the method are in mm: less than one tooth may differ, and
+  // mostly a rim of faces along cuts does.
   constexpr double kScaled = 0.04;
   Change changes[] = {
       {"turned and moved", kRounding,
