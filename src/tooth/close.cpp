@@ -305,7 +305,7 @@ void close(PartMesh &part, const Executor &executor, const Progress &progress) {
     take_off(closed, off, executor);
     if (closed.area < part.area - most_area) break;
   }
-  const Vec3 &at = closed.position.front();
+  const Vec3 &at = part.position.front();  // of `closed` nothing may be left
   throw Error(Fault::not_closed, "the part at (" + std::to_string(at.x()) + ", " + std::to_string(at.y()) + ", " +
                                      std::to_string(at.z()) + ") cannot be closed without crossing itself");
 }
