@@ -30,8 +30,10 @@ std::vector<T> all(const Call &call, std::size_t width = 1) {
 
 void model(const ts_model *model);
 void features(const ts_model *model, const ts_features *features);
-// `deep`: also fields, histograms and contours of the clicks, and the meshes of the teeth.
-void segmentation(const ts_model *model, const ts_segmentation *segmentation, bool deep);
+// `deep`: also fields, histograms and contours of the clicks, and the meshes of the teeth and of the gingiva; that one
+// closed as well unless `but_closed_gingiva`: it takes as long as all else.
+void segmentation(const ts_model *model, const ts_segmentation *segmentation, bool deep,
+                  bool but_closed_gingiva = false);
 // A mesh of a tooth or of the gingiva.
 void mesh(const ts_mesh *mesh);
 
