@@ -186,6 +186,11 @@ ArchRow arch_row(const mesh::Surface &surface, const features::Features &feature
     for (const RowTooth &t : teeth) line.push_back(view.of(centre_of(surface, t)));
   }
   const Curve curve(std::move(line));
+  // It is gone along millimetre by millimetre.
+  constexpr double longest = 1000;  // mm: arches are up to 180
+  if (!(curve.length() <= longest))
+    throw Error(Fault::invalid_argument,
+                "the line along the teeth is " + std::to_string(curve.length()) + " mm long: no arch is");
   for (const RowTooth &t : teeth) {
     ArchTooth &own = row.teeth.emplace_back();
     if (t.group) measure_group(*t.group, view, curve, own);

@@ -173,6 +173,10 @@ class Closer {
 
   Plug with_collar(const Vec<Index> &ring, const Way &way, const Progress &progress) const {
     const std::size_t n = ring.size();
+    double around = 0;
+    for (std::size_t i = 0; i < n; ++i) around += (part_.position[ring[(i + 1) % n]] - part_.position[ring[i]]).norm();
+    // Higher than its rim is long it would be filled with points without end: a mesh in other units than it says.
+    if (way.collar > around) return {};
     const double reach = std::max(way.collar, 2 * surface_.mean_edge);
     Vec<Vec3> inwards, end(n);
     for (const Index v : ring) inwards.push_back(-normal_[v]);
@@ -272,10 +276,21 @@ Vec<Index> fill_all(PartMesh &part, const Executor &executor, const Progress &pr
   return {};
 }
 
+double extent_of(const PartMesh &part) {
+  if (part.position.empty()) return 0;
+  Vec3 low = part.position[0], high = low;
+  for (const Vec3 &p : part.position) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return (high - low).norm();
+}
+
 }  // namespace
 
 void close(PartMesh &part, const Executor &executor, const Progress &progress) {
   constexpr int most_rounds = 12;
+  // What closes a part is shaped in steps of hundredths of a millimetre.
+  constexpr double least_extent = 0.5;  // mm
+  if (const double extent = extent_of(part); extent < least_extent)
+    throw Error(Fault::not_closed, "the part is but " + std::to_string(extent) + " mm across");
   const double most_area = kMostTrimmed * part.area;
   PartMesh closed = part;
   for (int round = 0; round < most_rounds; ++round) {
@@ -290,7 +305,7 @@ void close(PartMesh &part, const Executor &executor, const Progress &progress) {
     take_off(closed, off, executor);
     if (closed.area < part.area - most_area) break;
   }
-  const Vec3 &at = closed.position.front();
+  const Vec3 &at = part.position.front();  // of `closed` nothing may be left
   throw Error(Fault::not_closed, "the part at (" + std::to_string(at.x()) + ", " + std::to_string(at.y()) + ", " +
                                      std::to_string(at.z()) + ") cannot be closed without crossing itself");
 }

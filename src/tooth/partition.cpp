@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "base/error.h"
+#include "base/stop.h"
 #include "tooth/cells.h"
 
 namespace ts::tooth {
@@ -88,7 +88,11 @@ class Bisectors {
     });
     std::sort(shared.begin(), shared.end());
     shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
-    for (const auto &[f, a, b] : shared) add(f, a, b);
+    StopNowAndThen stop(1 << 6);
+    for (const auto &[f, a, b] : shared) {
+      stop();
+      add(f, a, b);
+    }
   }
 
   void append_to(Vec<CutLine> &lines) const {
@@ -199,9 +203,11 @@ Partition partition(const mesh::Surface &surface, std::span<const Tooth *const> 
 
   Partition out;
   Vec<Index> owner(cells->count(), mesh::none);
+  StopNowAndThen stop(1 << 6);
   claims->each_cell([&](Index cell, std::span<const std::pair<Index, Index>> by) {
     owner[cell] = by[0].second;
     if (by.size() < 2) return;
+    stop();
     const Vec3 centre = cells->centre(cell);
     double least = std::numeric_limits<double>::infinity();
     for (const auto &[same, k] : by)
@@ -214,12 +220,14 @@ Partition partition(const mesh::Surface &surface, std::span<const Tooth *const> 
 
   out.position = cells->position();
   out.vertices = static_cast<Index>(surface.vertices());
-  for (Index f = 0; f < surface.faces(); ++f)
+  for (Index f = 0; f < surface.faces(); ++f) {
+    if (f % 65536 == 0) stop_if_asked();
     cells->each_of(f, [&](Index cell) {
       triangulate_convex(out.position, cells->corners(cell), out.triangle);
       out.face.resize(out.triangle.size(), f);
       out.owner.resize(out.triangle.size(), owner[cell]);
     });
+  }
   return out;
 }
 

@@ -119,7 +119,7 @@ void measure(PartMesh &part, const Executor &executor) {
   part.fill_area = part.volume = 0;
   for (Index f = 0; f < s.faces(); ++f)
     if (part.source[f] == mesh::none) part.fill_area += s.face_area[f];
-  if (part.loops) return;
+  if (part.loops || part.triangle.empty()) return;
   const Vec3 origin = part.position[0];  // near it nothing cancels out
   for (const auto &[a, b, c] : part.triangle)
     part.volume += (part.position[a] - origin).dot((part.position[b] - origin).cross(part.position[c] - origin)) / 6;

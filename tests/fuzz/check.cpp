@@ -232,7 +232,7 @@ void features(const ts_model *m, const ts_features *f) {
     HOLDS(std::isfinite(x));
 }
 
-void segmentation(const ts_model *m, const ts_segmentation *seg, bool deep) {
+void segmentation(const ts_model *m, const ts_segmentation *seg, bool deep, bool but_closed_gingiva) {
   const Surface s = surface_of(m);
   std::vector<std::uint32_t> seen = {0};
   const auto teeth = all<Index>([&](Index *p, Index n, Index *c) { return ts_get_teeth(seg, p, n, c); });
@@ -260,7 +260,7 @@ void segmentation(const ts_model *m, const ts_segmentation *seg, bool deep) {
   for (const std::uint32_t closed : {0u, 1u}) {
     auto options = sized<ts_tooth_mesh_options>();
     options.closed = closed;
-    for (std::size_t k = 0; k <= teeth.size(); ++k) {
+    for (std::size_t k = 0; k < teeth.size() + (closed && but_closed_gingiva ? 0 : 1); ++k) {
       ts_mesh *part = nullptr;
       const ts_status got = k < teeth.size() ? ts_tooth_mesh_create(seg, teeth[k], &options, nullptr, &part)
                                              : ts_gingiva_mesh_create(seg, &options, nullptr, &part);

@@ -32,8 +32,10 @@ void model(const ts_model *model);
 // What intake reported is true of the model, and adds up; `model` has it in it.
 void report(const ts_model *model);
 void features(const ts_model *model, const ts_features *features);
-// `deep`: also fields, histograms and contours of the clicks, and the meshes of the teeth.
-void segmentation(const ts_model *model, const ts_segmentation *segmentation, bool deep);
+// `deep`: also fields, histograms and contours of the clicks, and the meshes of the teeth and of the gingiva; that one
+// closed as well unless `but_closed_gingiva`: it takes as long as all else.
+void segmentation(const ts_model *model, const ts_segmentation *segmentation, bool deep,
+                  bool but_closed_gingiva = false);
 // A mesh of a tooth or of the gingiva.
 void mesh(const ts_mesh *mesh);
 

@@ -113,7 +113,7 @@ export declare const Scalar: {
 };
 export type Scalar = (typeof Scalar)[keyof typeof Scalar];
 
-/** Unit of the caller's coordinates. TS_UNIT_CHECKED_MM: mm, and TS_E_MESH_UNITS if the size of the mesh contradicts it (bounding box diagonal under 9 or over 400); the others convert without a check. */
+/** Unit of the caller's coordinates. TS_UNIT_CHECKED_MM: mm, and TS_E_MESH_UNITS if the size of the mesh contradicts it (bounding box diagonal under 9 or over 400); the others convert without a check of the size, as long as coordinates stay within 1e9 mm. Distances of the library are of teeth in mm, whatever the size: on a surface over 400 mm across no teeth are found (TS_E_NO_TEETH), and parts under 0.5 mm are not closed (TS_E_NOT_CLOSED). */
 export declare const Unit: {
   /** mm, checked */
   readonly CHECKED_MM: 0;

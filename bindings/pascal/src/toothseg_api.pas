@@ -125,7 +125,9 @@ type
   Pts_scalar = ^ts_scalar;
 
   // Unit of the caller's coordinates. TS_UNIT_CHECKED_MM: mm, and TS_E_MESH_UNITS if the size of the mesh contradicts
-  // it (bounding box diagonal under 9 or over 400); the others convert without a check.
+  // it (bounding box diagonal under 9 or over 400); the others convert without a check of the size, as long as
+  // coordinates stay within 1e9 mm. Distances of the library are of teeth in mm, whatever the size: on a surface over
+  // 400 mm across no teeth are found (TS_E_NO_TEETH), and parts under 0.5 mm are not closed (TS_E_NOT_CLOSED).
   ts_unit = (
     TS_UNIT_CHECKED_MM = 0, // mm, checked
     TS_UNIT_MM = 1, // mm, whatever the size
@@ -989,7 +991,8 @@ function ts_get_click_count(segmentation: Pts_segmentation; count: PCardinal): t
 function ts_get_click(segmentation: Pts_segmentation; click: Cardinal; info: Pts_click_info): ts_status; cdecl; external TS_LIBRARY;
 
 // u of Eq. 3 for a click, a value a model vertex: 0 on the target, 1 on the neighbour; NaN on pieces of the mesh that
-// hold no constraint. Since 0.1.0; threads: concurrent.
+// hold no constraint: Eq. 3 leaves u open there. Their faces belong to no tooth (label 0), and clicks and corrections
+// on a piece without any feature point are refused with TS_E_CLICK_ON_GINGIVA. Since 0.1.0; threads: concurrent.
 function ts_get_field(segmentation: Pts_segmentation; click: Cardinal; u: PDouble; capacity: Cardinal; count: PCardinal): ts_status; cdecl; external TS_LIBRARY;
 
 // The histogram of Fig. 4C: vertices a bin over [0, 1]. Since 0.1.0; threads: concurrent.
@@ -1142,8 +1145,9 @@ function ts_number_options_init(options: Pts_number_options; struct_size: Cardin
 // that were set by hand stay, and decide. Numbers do not change by themselves: call again after clicks. `options` in,
 // may be NULL: the defaults; kept for ts_set_number. Errors, with all numbers as they were: TS_E_TOO_MANY_TEETH (over
 // 16), TS_E_NUMBER_JAW (a number set by hand is of the other jaw than `options` give), TS_E_NUMBER_ORDER (those set
-// fit no numbering), TS_E_INVALID_ARGUMENT (also where the features have no occlusal direction), TS_E_NULL,
-// TS_E_STRUCT_SIZE, TS_E_OUT_OF_MEMORY. Since 0.1.0; threads: exclusive.
+// fit no numbering), TS_E_INVALID_ARGUMENT (also where the features have no occlusal direction, or the line along the
+// teeth is over 1000 mm long: a mesh in other units than it says), TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_OUT_OF_MEMORY.
+// Since 0.1.0; threads: exclusive.
 function ts_assign_numbers(segmentation: Pts_segmentation; options: Pts_number_options): ts_status; cdecl; external TS_LIBRARY;
 
 // Sets the number of a tooth by hand; those of the others follow, and so does the jaw. `tooth`: id of its group (that
