@@ -37,7 +37,9 @@ static void drop(results *r) {
 
 /* Large enough that loops are divided among threads. */
 static void same_bytes_for_any_number_of_threads(void) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_THREAD__)
+  static const uint32_t threads[] = {4};
+#elif defined(__SANITIZE_ADDRESS__)
   static const uint32_t threads[] = {3, 8};
 #else
   static const uint32_t threads[] = {2, 3, 8, 8};

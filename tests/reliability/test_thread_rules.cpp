@@ -120,7 +120,7 @@ class Test {
 }  // namespace
 
 const Bumps &rule_bumps() {
-  static const Bumps made = make_bumps(4, 5, 5);
+  static const Bumps made = make_bumps(3, 4, 4);
   return made;
 }
 

@@ -13,7 +13,7 @@ struct Objects {
   ts_context *context;
   const ts_model *model;
   Handle<ts_features> features;
-  Handle<ts_segmentation> segmentation;  // of four teeth two are separated, numbered, one cut is smoothed
+  Handle<ts_segmentation> segmentation;  // of three teeth two are separated, numbered, one cut is smoothed
   Handle<ts_mesh> mesh;
   Handle<ts_job> job;
   std::vector<std::uint32_t> teeth;

@@ -119,7 +119,7 @@ std::vector<Rule> of_features() {
 std::vector<Rule> of_segmentations() {
   return {
       {"ts_segment_click",
-       [](Objects &o) { return after(o, ts_segment_click(own(o), rule_bumps().top[3].data(), nullptr, nullptr)); }},
+       [](Objects &o) { return after(o, ts_segment_click(own(o), rule_bumps().top[2].data(), nullptr, nullptr)); }},
       {"ts_segment_clicks",
        [](Objects &o) {
          std::vector<double> at;
