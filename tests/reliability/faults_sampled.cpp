@@ -18,7 +18,7 @@ constexpr long kFirst = 50;  // of these allocations each fails
 
 // What may be outside of the context's allocator at a time, of all that is inside: the buffers of files, small dense
 // matrices, text, and the trees of what meshes of teeth are cut along.
-constexpr double kOutside = 0.02;
+constexpr double kOutside = 0.04;
 
 struct Hook {
   long taken = 0, live = 0;
