@@ -2,18 +2,23 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/stop.h"
+
 namespace ts::geometry {
 
 Frame principal_frame(const mesh::Surface &surface) {
   Frame frame;
   // The middles of its edges stand for a triangle: exact to the second moment.
   const auto each = [&](auto &&visit) {
-    for (std::size_t f = 0; f < surface.faces(); ++f)
+    StopNowAndThen stop(1 << 15);
+    for (std::size_t f = 0; f < surface.faces(); ++f) {
+      stop();
       for (int k = 0; k < 3; ++k) {
         const Vec3 middle =
             (surface.position[surface.triangle[f][k]] + surface.position[surface.triangle[f][(k + 1) % 3]]) / 2;
         visit(middle, surface.face_area[f]);
       }
+    }
   };
   if (surface.position.empty()) return frame;
   const Vec3 near = surface.position[0];

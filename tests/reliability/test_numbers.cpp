@@ -29,7 +29,7 @@ struct Case {
   Goes goes = Goes::to_sound_results;
   double weld = 0;
   bool soup = false, floats = false;
-  bool whole = false;  // the gingiva is closed as well, which takes as long as all else
+  bool whole = false;  // the gingiva is closed and the session read as well, which takes as long as all else
 };
 
 struct Taken {
@@ -108,6 +108,7 @@ void use(const ts_model *model, ts_segmentation *s, bool whole) {
   }
   check::status(ts_assign_numbers(s, nullptr), {1, 7});
   check::segmentation(model, s, true, !whole);
+  if (!whole) return;
   // It comes back from its own text.
   const auto text = check::all<char>([&](char *p, Index n, Index *k) { return ts_session_write(s, p, n, k); });
   ts_status got;
@@ -242,10 +243,10 @@ Mesh soup_of(const Mesh &m, double jitter) {
 }
 
 void slivers(ts_context *context, const Mesh &arch) {
-  for (const double share : {1e-3, 1e-6, 1e-9, 1e-12, 0.0})
+  for (const double share : {1e-6, 1e-9, 1e-12, 0.0})
     walk(context,
          {with("edges of ", share, " of their length"), with_short_edges(arch, share, 5), TS_UNIT_MM, Goes::to_teeth});
-  for (const double height : {1e-3, 1e-6, 1e-9, 1e-13}) {
+  for (const double height : {1e-6, 1e-13}) {
     walk(context,
          {with("needles of aspect ", 1 / height, ""), with_needles(arch, height, 5), TS_UNIT_MM, Goes::to_teeth});
   }
@@ -308,10 +309,9 @@ void duplicates(ts_context *context, const Mesh &arch, const Mesh &small) {
     const Case apart{"the same, not welded", loose, TS_UNIT_MM, Goes::to_sound_results, 0, true};
     HOLDS(take_in(context, apart).report.components == loose.xyz.size() / 9);
     walk(context, apart);
-    // A tolerance that takes some of the points and not others.
-    walk(context,
-         {"the same, welded in part", soup_of(arch, jitter), TS_UNIT_MM, Goes::to_sound_results, jitter, true});
   }
+  // A tolerance that takes some of the points and not others.
+  walk(context, {"a soup, welded in part", soup_of(arch, 1e-6), TS_UNIT_MM, Goes::to_sound_results, 1e-6, true});
 }
 
 // ------------------------------------------------------------------------------------------------------------- pieces
@@ -468,7 +468,7 @@ int main(int argc, char **argv) {
   if (argc > 2) return std::fprintf(stderr, "usage: test_numbers [PART_OF_A_NAME]\n"), 2;
   std::setvbuf(stdout, nullptr, _IOLBF, 1024);
   const auto context = one_thread();
-  const Mesh arch = arch_mesh(6000, 1), small = arch_mesh(5000, 2);
+  const Mesh arch = arch_mesh(5200, 1), small = arch_mesh(5000, 2);
   const std::string only = argc > 1 ? argv[1] : "";
   const auto part = [&](const char *name, const auto &run) {
     if (std::string(name).find(only) == std::string::npos) return;
