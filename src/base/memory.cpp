@@ -6,7 +6,7 @@
 #include <utility>
 
 // Pages of our own would hide from AddressSanitizer what goes beyond them.
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__linux__) && !defined(TS_SANITIZED)
 #define TS_OWN_PAGES
 #include <sys/mman.h>
 #endif

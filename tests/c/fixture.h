@@ -23,7 +23,7 @@ void free_mesh(mesh *m);
 ts_mesh_input input_of(const mesh *m);
 
 /* The triangles of a large scan: with AddressSanitizer, which is ten times as slow, of a smaller one. */
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef TS_SANITIZED
 enum { LARGE = 20000 };
 #else
 enum { LARGE = 60000 };

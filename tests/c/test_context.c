@@ -125,7 +125,7 @@ static void all_memory_is_given_back(void) {
 
 /* Each of the first allocations fails once, then ever rarer ones up to the last: a status and no leak each time, and
  * the same context does its work afterwards. */
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TS_SANITIZED
 enum { RARER = 1 }; /* ten times as slow; test_faults has all of them */
 #else
 enum { RARER = 4 };

@@ -102,7 +102,7 @@ static void make_segmentation_anew(void) {
   if (ts_segmentation_create(s.features, NULL, NULL, &s.segmentation) != TS_OK) exit(3);
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef TS_SANITIZED
 enum { RARER = 2 }; /* ten times as slow */
 #else
 enum { RARER = 8 };

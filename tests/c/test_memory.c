@@ -82,7 +82,7 @@ static void too_little_is_refused(void) {
 
 /* Ten thousand clicks on two places, one twice in a row and the other between. */
 static void a_batch_of_ten_thousand(void) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TS_SANITIZED
   enum { count = 1000 }; /* ten times as slow */
 #else
   enum { count = 10000 };

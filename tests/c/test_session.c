@@ -459,7 +459,7 @@ static ts_status random_step(void) {
   }
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TS_SANITIZED
 enum { SEQUENCES = 100 }; /* ten times as slow */
 #else
 enum { SEQUENCES = 1000 };

@@ -39,7 +39,7 @@ static void drop(results *r) {
 static void same_bytes_for_any_number_of_threads(void) {
 #if defined(__SANITIZE_THREAD__)
   static const uint32_t threads[] = {4};
-#elif defined(__SANITIZE_ADDRESS__)
+#elif defined(TS_SANITIZED)
   static const uint32_t threads[] = {3, 8};
 #else
   static const uint32_t threads[] = {2, 3, 8, 8};

@@ -15,7 +15,7 @@ using namespace ts;
 namespace {
 
 // Five times as slow with AddressSanitizer: there one of each two arches, of both jaws.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TS_SANITIZED
 constexpr bool kHalf = true;
 #else
 constexpr bool kHalf = false;

@@ -7,13 +7,6 @@
 #include <cerrno>
 #include <cstdlib>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define HEAP_OF_SANITIZER
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define HEAP_OF_SANITIZER
-#endif
-#endif
 
 namespace heap {
 namespace {
@@ -53,7 +46,7 @@ void fail_at(long n) {
   fails = n ? count + n : 0;
 }
 
-#ifdef HEAP_OF_SANITIZER
+#ifdef TS_SANITIZED
 const bool can_fail = false;
 #else
 const bool can_fail = true;
@@ -61,7 +54,7 @@ const bool can_fail = true;
 
 }  // namespace heap
 
-#ifdef HEAP_OF_SANITIZER
+#ifdef TS_SANITIZED
 void *heap::take_unseen(std::size_t size) {
   return std::malloc(size);
 }

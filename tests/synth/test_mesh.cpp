@@ -119,7 +119,7 @@ TEST_CASE("triangles are those of a scan: irregular, few slivers") {
   CHECK(static_cast<double>(six) < 0.6 * static_cast<double>(valence.size()));
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TS_SANITIZED
 constexpr uint64_t kSeeds = 1;  // five times as slow
 #else
 constexpr uint64_t kSeeds = 2;

@@ -404,7 +404,7 @@ TEST_CASE("a session keeps the automatic tooth beside an edited one") {
   CHECK(session.edits(2).empty());
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TS_SANITIZED
 constexpr int kRuns = 60;  // ten times as slow
 #else
 constexpr int kRuns = 300;

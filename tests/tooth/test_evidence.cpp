@@ -180,7 +180,7 @@ TEST_CASE("clicks at once are the same clicks one after the other, also where on
   }
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TS_SANITIZED
 constexpr double kClickStride = 2;  // ten times as slow
 #else
 constexpr double kClickStride = 1;

@@ -107,7 +107,7 @@ TEST_CASE("FDI, Universal and Palmer, all of them") {
   CHECK(fault_told_by([] { (void)fdi_of(Jaw::upper, 16); }) == Fault::invalid_argument);
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TS_SANITIZED
 constexpr int kPairStride = 5;  // ten times as slow
 #else
 constexpr int kPairStride = 1;

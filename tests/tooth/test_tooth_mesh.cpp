@@ -175,7 +175,7 @@ TEST_CASE("a scan whose faces look inwards: parts look outwards all the same") {
   }
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TS_SANITIZED
 constexpr unsigned kArches = 1;  // ten times as slow
 #else
 constexpr unsigned kArches = 3;
