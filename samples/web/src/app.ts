@@ -1,7 +1,7 @@
 // What can be done on the page: each action is a request to the worker, and what comes of it. SPDX-License-Identifier: Apache-2.0
 import { Client } from './client';
 import { sentence } from './messages';
-import type { Calls, Changed, File as OutFile, Op, Points, Reopened, Vec3 } from './protocol';
+import type { Calls, Changed, File as OutFile, Op, Opened, Points, Reopened, Vec3 } from './protocol';
 import { colourOf, nameOf, rgb, start, type State, type Tool } from './state';
 import type { View } from './view';
 
@@ -54,14 +54,18 @@ export class App {
 
   // ----------------------------------------------------------------------------------------------------------- open
 
-  open(name: string, bytes: () => Promise<ArrayBuffer>): Promise<void> {
+  /** The built-in arch. */
+  openArch(triangles = 60000): Promise<void> {
+    return this.open(() => this.call('openArch', { triangles }));
+  }
+
+  private open(take: () => Promise<Opened>): Promise<void> {
     return this.run(async () => {
       this.state.progress = { fraction: 0, stage: 'Reading the scan' };
       this.notify();
       await this.client.ready;
-      const buffer = await bytes();
-      const opened = await this.call('open', { name, bytes: buffer }, [buffer]);
-      const { occlusal, front, warning, geometry } = opened;
+      const opened = await take();
+      const { name, occlusal, front, warning, geometry } = opened;
       Object.assign(this.state, start(), { tool: this.state.tool });
       this.state.opened = { name, occlusal, front, warning, faces: geometry.faces, centre: geometry.centre, radius: geometry.radius };
       this.view.show(opened);
@@ -73,7 +77,10 @@ export class App {
 
   openFile(file: File): Promise<void> {
     if (/\.json$/i.test(file.name)) return this.openSession(file);
-    return this.open(file.name, () => file.arrayBuffer());
+    return this.open(async () => {
+      const bytes = await file.arrayBuffer();
+      return this.call('open', { name: file.name, bytes }, [bytes]);
+    });
   }
 
   private openSession(file: File): Promise<void> {

@@ -29,6 +29,7 @@ export class Client {
     this.ready = new Promise((resolve, reject) => {
       this.worker.addEventListener('message', (event: MessageEvent<Message>) => {
         if (event.data.kind === 'ready') resolve();
+        else if (event.data.kind === 'broken') reject(new Failure(0, event.data.message));
         else this.take(event.data);
       });
       this.worker.addEventListener('error', (event) => {
@@ -49,7 +50,7 @@ export class Client {
     });
   }
 
-  private take(message: Exclude<Message, { kind: 'ready' }>): void {
+  private take(message: Exclude<Message, { id: 0 }>): void {
     const waiting = this.waiting.get(message.id);
     if (!waiting) return;
     if (message.kind === 'progress') {

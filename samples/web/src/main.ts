@@ -25,13 +25,7 @@ file.addEventListener('change', () => {
   if (file.files?.[0]) void app.openFile(file.files[0]);
   file.value = '';
 });
-// Asked for as the page loads, so that the arch is there when the network is not.
-const arch = fetch('./arch.ply').then((response) => {
-  if (!response.ok) throw new Error('The built-in arch is not there: it lies beside the page as arch.ply.');
-  return response.arrayBuffer();
-});
-arch.catch(() => {}); // said when it is asked for
-const openArch = () => app.open('arch.ply', async () => (await arch).slice(0));
+const openArch = () => app.openArch();
 window.addEventListener('dragover', (event) => {
   event.preventDefault();
   document.body.classList.add('dropping');

@@ -9,6 +9,8 @@ export type Vec3 = [number, number, number];
 export interface Calls {
   /** Takes a file (a scan, as bytes) in and prepares it. */
   open: { in: { name: string; bytes: ArrayBuffer }; out: Opened };
+  /** The same with a synthetic arch. */
+  openArch: { in: { triangles: number }; out: Opened };
   /** A session of the scan that is open. */
   openSession: { in: { text: string }; out: Reopened };
   pick: { in: { origin: Vec3; direction: Vec3 }; out: Pick | null };
@@ -48,7 +50,9 @@ export type Message =
   | { id: number; kind: 'reply'; out: unknown }
   | { id: number; kind: 'failure'; status: number; message: string }
   | { id: number; kind: 'progress'; fraction: number; stage: string }
-  | { id: 0; kind: 'ready' };
+  | { id: 0; kind: 'ready' }
+  /** The library could not be loaded. */
+  | { id: 0; kind: 'broken'; message: string };
 
 export interface Pick {
   position: Vec3;

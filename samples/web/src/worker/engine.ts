@@ -1,7 +1,7 @@
 // Answers the page's requests by calls of the library. SPDX-License-Identifier: Apache-2.0
 //
-// Knows nothing of the browser: what it is given as `api` may be the package for WebAssembly or the one for Node.
-import type { Context, Features, Segmentation } from 'toothseg';
+// Knows nothing of the browser, nor of the worker that it runs in.
+import type { Context, Features, Model, Segmentation } from 'toothseg-wasm';
 import type { Calls, Changed, Message, Op, Opened, Points, Reopened, Request, Vec3 } from '../protocol';
 import { fieldOf } from './field';
 import { ply, stl, zip } from './files';
@@ -47,7 +47,13 @@ export class Engine {
   }
 
   private readonly handlers: { [K in Op]: (input: Calls[K]['in'], tell: Tell) => Calls[K]['out'] } = {
-    open: ({ name, bytes }, tell) => this.open(name, bytes, tell),
+    open: ({ name, bytes }, tell) =>
+      this.open(name, (onProgress) => this.api.Model.readSync(this.context, new Uint8Array(bytes), { onProgress }), tell),
+    openArch: ({ triangles }, tell) =>
+      this.open('arch', (onProgress) => {
+        const arch = this.api.makeArch({ jaw: 2, triangles, seed: 1 });
+        return this.api.Model.createSync(this.context, arch, { onProgress });
+      }, tell),
     openSession: ({ text }, tell) => this.openSession(text, tell),
     pick: ({ origin, direction }) => this.pick(origin, direction),
     click: ({ position }) => this.click(position),
@@ -99,13 +105,14 @@ export class Engine {
     return this.open_.scan.name.replace(/\.[^.]*$/, '') || 'scan';
   }
 
-  private open(name: string, bytes: ArrayBuffer, tell: Tell): Opened {
+  private open(name: string, take: (onProgress: (fraction: number) => void) => Model, tell: Tell): Opened {
     const stage = (which: keyof typeof STAGES) => (fraction: number) => {
       const [from, to] = STAGES[which];
       tell(from + fraction * (to - from), STAGE_TEXT[which]);
     };
-    const { Model, Features, Segmentation } = this.api;
-    const model = Model.readSync(this.context, new Uint8Array(bytes), { onProgress: stage('read') });
+    const { Features, Segmentation } = this.api;
+    stage('read')(0);
+    const model = take(stage('read'));
     let features: Features | null = null, segmentation: Segmentation | null = null;
     let scan: Scan;
     try {

@@ -1,5 +1,5 @@
 // The field of a click, its contours and histogram (paper, Figs. 2 to 4). SPDX-License-Identifier: Apache-2.0
-import type { Segmentation } from 'toothseg';
+import type { Segmentation } from 'toothseg-wasm';
 import type { Field, Vec3 } from '../protocol';
 
 /** So many contours are drawn of those that the library samples: more run into each other on the screen. */

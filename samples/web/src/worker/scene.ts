@@ -1,10 +1,10 @@
 // The scan that is open and how things stand with it. SPDX-License-Identifier: Apache-2.0
-import type { Features, Model, Segmentation } from 'toothseg';
+import type { Features, Model, Segmentation } from 'toothseg-wasm';
 import type { Changed, Cut, Geometry, Points, Tooth, Vec3 } from '../protocol';
 import { geometryOf } from './geometry';
 import { facesOf, territoryOf, waysOf, type Ways } from './territory';
 
-export type Api = typeof import('toothseg');
+export type Api = typeof import('toothseg-wasm');
 
 /** A model with what is worked out from it once. */
 export class Scan {

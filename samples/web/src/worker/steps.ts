@@ -1,6 +1,6 @@
 // What the page undoes at once may be several steps of the library: a click and the numbers that followed it.
 // SPDX-License-Identifier: Apache-2.0
-import type { Segmentation } from 'toothseg';
+import type { Segmentation } from 'toothseg-wasm';
 
 export class Steps {
   private done: number[] = [];

@@ -5,7 +5,7 @@
 
 /** As click_concavity of the library's options. */
 const CONCAVITY = 60;
-/** Beyond this, in the metric, no tooth is near, mm. Higher, and the gum takes the colour of the tooth above it.
+/** Beyond this, in the metric, no tooth is near, mm. Higher, and the gum takes the colour of the tooth above it. */
 const REACH = 15;
 
 /** Vertices of the mesh's edges with what each edge costs: `first[v]` to `first[v + 1]` are those of v. */

@@ -1,0 +1,10 @@
+import { openPage, openArch, state, status, settled, clickAt } from './page.mjs';
+const { page, faults, close } = await openPage();
+let t=Date.now(); await openArch(page); console.log('open', Date.now()-t, await status(page));
+const p=await state(page,'s.now.proposals'); console.log(p.length, await state(page,'s.now.fdi'));
+t=Date.now();await clickAt(page,p[0]); console.log(Date.now()-t, await status(page));
+await page.screenshot({path:'/tmp/w1.png'});
+t=Date.now();await page.keyboard.press('a');await settled(page);console.log(Date.now()-t, await status(page));
+console.log(await page.evaluate(()=>window.longTasks), faults);
+t=Date.now();await page.evaluate(()=>{});
+await close();
