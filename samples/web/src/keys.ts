@@ -8,7 +8,7 @@ export function listenToKeys(app: App, actions: { help(): void; open(): void; th
   const { canvas } = app.view;
   window.addEventListener('keydown', (event) => {
     const target = event.target as HTMLElement;
-    if (target.closest('input:not([type=checkbox]), select, textarea, dialog')) return;
+    if (target.closest('select, dialog')) return; // letters choose there
     if (handle(app, actions, event, target === canvas)) event.preventDefault();
   });
   canvas.addEventListener('blur', () => {

@@ -55,7 +55,8 @@ get('start').append(
   h('p', { class: 'quiet' }, 'The scan never leaves this browser. Nothing is uploaded.'));
 app.onChange(() => updates.forEach((run) => run()));
 listenToKeys(app, actions);
-app.client.ready.catch(() => {
+let libraryReady = false;
+app.client.ready.then(() => (libraryReady = true)).catch(() => {
   app.say('This browser cannot run the viewer: it needs WebAssembly and Web Workers.', true);
   app.notify();
 });
@@ -94,8 +95,11 @@ declare global {
 }
 window.viewer = {
   state: app.state,
+  openArch: (triangles: number) => app.openArch(triangles),
   cuts: () => app.cuts,
   idle: () => app.idle,
+  ready: () => app.view.ready && libraryReady,
+  draw: () => app.view.invalidate(),
   frames: () => app.view.frames,
   toScreen: (place: Vec3) => {
     const { x, y } = app.view.toScreen(app.view.local(place));

@@ -78,6 +78,19 @@ export class Overlay {
     object.geometry.dispose();
   }
 
+  /** One of each kind that is drawn, apart from what is shown. */
+  samples(): Object3D[] {
+    const piece = new Float32Array(6);
+    const kinds = [this.materials.cut, this.materials.contour].map((material) => {
+      const lines = this.lines(piece, material);
+      this.group.remove(lines);
+      return lines;
+    });
+    const cloud = this.cloud([{ at: [0, 0, 0], colour: '#000000' }], 1);
+    this.group.remove(cloud);
+    return [...kinds, cloud];
+  }
+
   setCut(cut: Cut): void {
     this.removeCut(cut.tooth);
     const pieces = cut.loops.map(({ points, closed }) => pairsOf(points, closed));

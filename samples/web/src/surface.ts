@@ -1,7 +1,7 @@
 // The scan's surface: a colour a face from its label, looked up in the shader, so that a click changes one byte a face.
 // SPDX-License-Identifier: Apache-2.0
 import {
-  BufferAttribute, BufferGeometry, DataTexture, DoubleSide, GLSL3, Mesh, NearestFilter, RGBAFormat, RedIntegerFormat, ShaderMaterial,
+  BufferAttribute, BufferGeometry, DataTexture, DoubleSide, GLSL3, Group, Mesh, NearestFilter, RGBAFormat, RedIntegerFormat, ShaderMaterial,
   UnsignedByteType,
 } from 'three';
 import type { Geometry } from './protocol';
@@ -12,13 +12,14 @@ const ROW = 1024;
 const vertexShader = /* glsl */ `
 uniform highp usampler2D labels, territory;
 uniform uint target, neighbour, shine;
+uniform int first;
 in float u;
 flat out uint label;
 flat out float hint;
 out vec3 facing;
 out float value;
 void main() {
-  int face = gl_VertexID / 3;
+  int face = first + gl_VertexID / 3;
   ivec2 at = ivec2(face & ${ROW - 1}, face >> 10);
   label = texelFetch(labels, at, 0).r;
   uint place = texelFetch(territory, at, 0).r;
@@ -59,15 +60,16 @@ void main() {
 
 export type Colour = [number, number, number];
 
+/** Faces a piece: pieces come to the graphics card one a frame, so that no frame takes long. A multiple of `ROW`. */
+const PIECE = 48 * ROW;
+
 export class Surface {
-  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+  readonly group = new Group();
+  private readonly pieces: Mesh<BufferGeometry, ShaderMaterial>[] = [];
   private readonly uniforms: Record<string, { value: unknown }>;
 
   constructor(geometry: Geometry) {
     const rows = Math.max(1, Math.ceil(geometry.faces / ROW));
-    const buffer = new BufferGeometry();
-    buffer.setAttribute('position', new BufferAttribute(geometry.positions, 3));
-    buffer.setAttribute('normal', new BufferAttribute(geometry.normals, 4, true));
     this.uniforms = {
       labels: { value: faceTexture(rows) },
       territory: { value: faceTexture(rows) },
@@ -78,13 +80,27 @@ export class Surface {
       accent: { value: [0.2, 0.55, 0.9] },
       field: { value: false },
     };
-    const material = new ShaderMaterial({
-      glslVersion: GLSL3, vertexShader, fragmentShader, uniforms: this.uniforms, side: DoubleSide,
-      // Lines lie on the surface: it steps back a little.
-      polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 2,
-    });
-    this.mesh = new Mesh(buffer, material);
-    this.mesh.frustumCulled = false;
+    for (let first = 0; first < geometry.faces; first += PIECE) {
+      const last = Math.min(geometry.faces, first + PIECE);
+      const buffer = new BufferGeometry();
+      buffer.setAttribute('position', new BufferAttribute(geometry.positions.subarray(9 * first, 9 * last), 3));
+      buffer.setAttribute('normal', new BufferAttribute(geometry.normals.subarray(12 * first, 12 * last), 4, true));
+      const material = new ShaderMaterial({
+        glslVersion: GLSL3, vertexShader, fragmentShader, uniforms: { ...this.uniforms, first: { value: first } }, side: DoubleSide,
+        // Lines lie on the surface: it steps back a little.
+        polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 2,
+      });
+      const mesh = new Mesh(buffer, material);
+      mesh.frustumCulled = false;
+      this.pieces.push(mesh);
+    }
+  }
+
+  /** Adds the next piece to what is drawn; false: all of them are there. */
+  grow(): boolean {
+    const next = this.pieces[this.group.children.length];
+    if (next) this.group.add(next);
+    return next !== undefined;
   }
 
   setLabels(labels: Uint8Array<ArrayBuffer>): void {
@@ -115,14 +131,19 @@ export class Surface {
 
   /** u at each corner; null: colours of teeth again. */
   setField(values: Float32Array<ArrayBuffer> | null): void {
-    if (values) this.mesh.geometry.setAttribute('u', new BufferAttribute(values, 1));
-    else this.mesh.geometry.deleteAttribute('u');
+    this.pieces.forEach(({ geometry }, i) => {
+      const corners = geometry.getAttribute('position').count;
+      if (values) geometry.setAttribute('u', new BufferAttribute(values.subarray(3 * PIECE * i, 3 * PIECE * i + corners), 1));
+      else geometry.deleteAttribute('u');
+    });
     this.uniforms.field.value = values !== null;
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    for (const { geometry, material } of this.pieces) {
+      geometry.dispose();
+      material.dispose();
+    }
     for (const name of ['labels', 'territory', 'palette']) (this.uniforms[name].value as DataTexture).dispose();
   }
 }

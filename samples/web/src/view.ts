@@ -20,6 +20,7 @@ export class View {
   private centre: Vec3 = [0, 0, 0];
   private radius = 40;
   private drawing = false;
+  private warm = false;
   /** Frames drawn: what tests wait for. */
   frames = 0;
 
@@ -30,6 +31,7 @@ export class View {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: false });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setClearColor(0, 0);
+    this.renderer.debug.checkShaderErrors = import.meta.env.DEV; // to ask waits for the compiler
     this.scene.add(this.root);
     this.overlay = new Overlay(this.root, labels);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -37,6 +39,7 @@ export class View {
     this.controls.addEventListener('change', () => this.invalidate());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     this.resize();
+    void this.warmUp();
   }
 
   private resize(): void {
@@ -49,26 +52,48 @@ export class View {
     this.invalidate();
   }
 
+  get ready(): boolean {
+    return this.warm;
+  }
+
   /** Draws anew with the next frame. */
   invalidate(): void {
-    if (this.drawing) return;
+    if (this.drawing || !this.warm) return;
     this.drawing = true;
     requestAnimationFrame(() => {
       this.drawing = false;
       this.renderer.render(this.scene, this.camera);
       this.overlay.placeLabels((p) => this.toScreen(p));
       ++this.frames;
+      if (this.surface?.grow()) this.invalidate();
     });
+  }
+
+  /** Has the shaders of all that is ever drawn compiled before there is a scan: later the compiler would hold up a frame. */
+  private async warmUp(): Promise<void> {
+    const [positions, normals] = [new Float32Array(9), new Int16Array(12)];
+    const surface = new Surface({ faces: 1, positions, normals, centre: [0, 0, 0], radius: 1 });
+    surface.setField(new Float32Array(3));
+    surface.grow();
+    const samples = new Group().add(surface.group, ...this.overlay.samples());
+    this.scene.add(samples);
+    await this.renderer.compileAsync(this.scene, this.camera);
+    this.renderer.render(this.scene, this.camera);
+    // Kept, since a program goes with its last material; and out of sight.
+    samples.visible = false;
+    this.warm = true;
+    this.invalidate();
   }
 
   show(opened: Opened): void {
     if (this.surface) {
-      this.root.remove(this.surface.mesh);
+      this.root.remove(this.surface.group);
       this.surface.dispose();
     }
     this.overlay.clear();
     this.surface = new Surface(opened.geometry);
-    this.root.add(this.surface.mesh);
+    this.root.add(this.surface.group);
+    this.surface.grow();
     this.centre = opened.geometry.centre;
     this.radius = opened.geometry.radius;
     const up = new Vector3(...opened.occlusal), front = new Vector3(...opened.front);

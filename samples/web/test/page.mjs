@@ -7,7 +7,7 @@ import { serve } from './serve.mjs';
 
 export const DIST = new URL('../dist', import.meta.url).pathname;
 const ARGS = [
-  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
 ];
 /** Preparing takes a while on a machine that does other things as well. */
@@ -33,6 +33,7 @@ export async function openPage(options = {}) {
     new PerformanceObserver((list) => window.longTasks.push(...list.getEntries().map((e) => e.duration))).observe({ type: 'longtask' });
   });
   await page.goto(address);
+  await page.waitForFunction(() => window.viewer?.ready());
   const close = async () => {
     await browser.close();
     server.close();
@@ -45,9 +46,9 @@ export async function openPage(options = {}) {
 export async function settled(page) {
   await page.waitForFunction(() => window.viewer.idle());
   const frames = await page.evaluate(() => window.viewer.frames());
-  await page.evaluate(() => window.dispatchEvent(new Event('resize')));
-  await page.waitForTimeout(150);
-  await page.waitForFunction((n) => window.viewer.frames() >= n, frames);
+  await page.evaluate(() => window.viewer.draw());
+  await page.waitForFunction((n) => window.viewer.frames() > n, frames);
+  await page.waitForTimeout(100);
 }
 
 export async function openArch(page) {
@@ -94,4 +95,16 @@ export async function download(page, button) {
   for await (const chunk of await file.createReadStream()) chunks.push(chunk);
   await settled(page);
   return { name: file.suggestedFilename(), bytes: Buffer.concat(chunks) };
+}
+
+/** Brings the pointer to a place of the scan and waits until the page knows what lies there; gives that. */
+export async function hoverAt(page, place) {
+  const { x, y } = await onScreen(page, place);
+  await page.mouse.move(x, y);
+  const near = (p) => {
+    const hover = window.viewer.state.hover;
+    return hover && Math.hypot(...hover.position.map((c, k) => c - p[k])) < 1.5;
+  };
+  await page.waitForFunction(near, place, { timeout: 10000 });
+  return state(page, 's.hover');
 }
