@@ -98,8 +98,8 @@ export class App {
       if (!this.state.opened) return;
       if (this.state.points?.edited && op !== 'undo' && op !== 'redo') this.reopened(await this.call('prepare', {}));
       const changed = (await this.call(op, input)) as Changed;
-      this.changed(changed);
       if (changed.focus !== null) this.state.selected = changed.focus;
+      this.changed(changed);
       this.say(said(this.state, changed));
       if (this.state.showField) await this.loadField();
     });
