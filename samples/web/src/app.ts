@@ -137,7 +137,7 @@ export class App {
   }
 
   /** A call on the tooth that is selected. */
-  onTooth<K extends 'remove' | 'lock' | 'number' | 'offsetCut' | 'smoothCut' | 'resetCut' | 'merge'>(
+  onTooth<K extends 'remove' | 'lock' | 'number' | 'offsetCut' | 'smoothCut' | 'resetCut'>(
     op: K,
     input: Omit<Calls[K]['in'], 'tooth'>,
     said: string,
@@ -146,6 +146,34 @@ export class App {
     if (tooth === null) return Promise.resolve();
     const name = nameOf(this.state, tooth);
     return this.step(op, { ...input, tooth } as Calls[K]['in'], () => `${said} ${name}.`);
+  }
+
+  /** The next click tells the rest. */
+  startTask(task: 'split' | 'merge'): void {
+    const tooth = this.needTooth();
+    if (tooth === null) return;
+    this.state.task = task;
+    const name = nameOf(this.state, tooth);
+    this.say(task === 'split' ? `Click the part of ${name} that is a tooth of its own.` : `Click the tooth that is one with ${name}.`);
+    this.notify();
+  }
+
+  /** Does what `startTask` began. `other`: the tooth clicked. */
+  finishTask(position: Vec3, other: number | null): Promise<void> {
+    const { task, selected, now, points } = this.state;
+    this.state.task = null;
+    if (task === 'split') {
+      // What stays is held by the feature point that is furthest from the part.
+      const own = points!.points.filter((p) => p.group === selected).map((p) => p.position);
+      const keep = own.length ? own.reduce((a, b) => (apart(b, position) > apart(a, position) ? b : a)) : now!.teeth.find((t) => t.id === selected)!.centre;
+      return this.step('split', { tooth: selected!, keep, part: position }, (state) => `Split ${nameOf(state, selected!)}.`);
+    }
+    if (other === null || other === selected) {
+      this.say('That is no other separated tooth.', true);
+      this.notify();
+      return Promise.resolve();
+    }
+    return this.step('merge', { tooth: selected!, other }, (state) => `One tooth now: ${nameOf(state, selected!)}.`);
   }
 
   undo(): Promise<void> {
@@ -178,6 +206,17 @@ export class App {
     });
   }
 
+  removeGroupOfPoint(): Promise<void> {
+    const { group } = this.state.points!.points.find((p) => p.id === this.state.point)!;
+    return this.editPoints('removeGroup', { group }, 'Removed the points of the tooth.');
+  }
+
+  choosePoint(point: number): void {
+    this.state.point = point;
+    this.refresh();
+    this.notify();
+  }
+
   prepare(): Promise<void> {
     return this.run(async () => {
       const reopened = await this.call('prepare', {});
@@ -190,6 +229,7 @@ export class App {
 
   select(tooth: number | null): void {
     this.state.selected = tooth;
+    this.state.task = null;
     this.refresh();
     if (this.state.showField) void this.run(() => this.loadField());
     this.notify();
@@ -197,6 +237,7 @@ export class App {
 
   setTool(tool: Tool): void {
     this.state.tool = tool;
+    this.state.task = null;
     this.state.point = null;
     if (tool === 'points') this.state.showPoints = true;
     this.refresh();
@@ -321,7 +362,7 @@ export class App {
       let last: Vec3 | null = null;
       for (let i = 0; i < points.length; i += 3) {
         const at: Vec3 = [points[i], points[i + 1], points[i + 2]];
-        if (last && Math.hypot(...at.map((x, k) => x - last![k])) < 1.2) continue;
+        if (last && apart(at, last) < 1.2) continue;
         out.push(at);
         last = at;
       }
@@ -329,3 +370,5 @@ export class App {
     return out;
   }
 }
+
+const apart = (a: Vec3, b: Vec3): number => Math.hypot(...a.map((x, k) => x - b[k]));

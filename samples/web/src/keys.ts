@@ -93,7 +93,7 @@ function remove(app: App, whole: boolean): boolean {
   const { state } = app;
   const point = state.points?.points.find((p) => p.id === state.point);
   if (state.tool === 'points' && point) {
-    if (whole) void app.editPoints('removeGroup', { group: point.group }, 'Removed the points of the tooth.');
+    if (whole) void app.removeGroupOfPoint();
     else void app.editPoints('removePoint', { point: point.id }, 'Removed the point.');
     return true;
   }

@@ -99,16 +99,13 @@ export class Pointer {
     const { app } = this;
     const { state } = app;
     if (grip?.kind === 'feature') {
-      state.point = grip.point;
-      app.setTool('points');
-      state.point = grip.point;
-      app.select(state.selected);
-      return;
+      return app.choosePoint(grip.point);
     }
     if (!pick) return;
     if (state.tool === 'points') return this.addPoint(pick, event.altKey);
     const label = labelAt(app, pick);
     const own = state.now!.teeth.find((t) => t.label === label && label !== 0);
+    if (state.task) return app.finishTask(pick.position, own?.id ?? null);
     if (state.tool === 'include' || state.tool === 'exclude') return app.correct(state.tool, pick.position);
     // On the tooth itself it means "not this", beside it "this too".
     if (event.shiftKey) return app.correct(own && own.id === state.selected ? 'exclude' : 'include', pick.position);
@@ -165,6 +162,8 @@ export function hintOf(app: App): string {
   const { hover, tool, selected } = state;
   if (!state.opened) return '';
   const own = selected === null ? null : nameOf(state, selected);
+  if (state.task === 'split') return `Click the part of ${own} that is a tooth of its own. Esc: leave it.`;
+  if (state.task === 'merge') return `Click the tooth that is one with ${own}. Esc: leave it.`;
   if (tool === 'points') return 'Click: a point for this tooth. Alt-click: for a tooth of its own. Drag a point to move it, Delete removes it.';
   if (tool === 'line')
     return own ? `Drag a white point of the line of ${own}. Click another tooth to select it.` : 'Click a separated tooth to work on its line.';

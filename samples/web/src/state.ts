@@ -8,6 +8,8 @@ export interface State {
   now: Changed | null;
   points: Points | null;
   tool: Tool;
+  /** What the next click says about the tooth that is worked on: its other part, or the tooth that it is one with. */
+  task: 'split' | 'merge' | null;
   /** Id of the tooth that is worked on. */
   selected: number | null;
   /** Id of the feature point that is worked on. */
@@ -30,7 +32,7 @@ export interface State {
 type Of<T, K extends keyof T> = { [P in K]: T[P] };
 
 export const start = (): State => ({
-  opened: null, now: null, points: null, tool: 'click', selected: null, point: null, hover: null, walk: null, hidden: new Set(),
+  opened: null, now: null, points: null, tool: 'click', task: null, selected: null, point: null, hover: null, walk: null, hidden: new Set(),
   colours: new Map(), field: null, showField: false, showPoints: false, closed: true, progress: null,
   status: { text: '', bad: false },
 });

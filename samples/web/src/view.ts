@@ -77,7 +77,8 @@ export class View {
     surface.grow();
     const samples = new Group().add(surface.group, ...this.overlay.samples());
     this.scene.add(samples);
-    await this.renderer.compileAsync(this.scene, this.camera);
+    // Some drivers never say that they are done, or only when they are asked for a picture.
+    await Promise.race([this.renderer.compileAsync(this.scene, this.camera), new Promise((resolve) => setTimeout(resolve, 1500))]);
     this.renderer.render(this.scene, this.camera);
     // Kept, since a program goes with its last material; and out of sight.
     samples.visible = false;

@@ -38,6 +38,16 @@ test('the arch opens, numbered, with nothing separated', async () => {
   assert.ok((await differing(page, 'opened')) <= TOLERANCE);
 });
 
+test('the preview knows nearly every face of every tooth', async () => {
+  const territory = await state(page, '[...s.points.territory]');
+  const teeth = arch.labels.reduce((n, label) => n + (label > 0 ? 1 : 0), 0);
+  const right = territory.filter((place, face) => place > 0 && place === arch.labels[face]).length;
+  const gum = territory.filter((place, face) => place > 0 && arch.labels[face] === 0).length;
+  console.log(`preview: ${((100 * right) / teeth).toFixed(1)} % of the teeth's faces, ${((100 * gum) / (territory.length - teeth)).toFixed(1)} % of the gum's`);
+  assert.ok(right > 0.93 * teeth);
+  assert.ok(gum < 0.1 * (territory.length - teeth));
+});
+
 test('what is tinted under the cursor is what the click takes', async () => {
   for (const [, place] of (await state(page, 's.now.proposals')).entries()) {
     const hover = await hoverAt(page, place);

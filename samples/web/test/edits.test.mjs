@@ -123,6 +123,24 @@ test('narrower, smoother, as it was, lock, remove', async () => {
   await undo(before);
 });
 
+test('two teeth are joined to one, and one is split in two', async () => {
+  const before = await labels(page);
+  const place = async (fdi) => (await state(page, `s.points.groups[s.now.fdi.indexOf(${fdi})]`)).at;
+  await select(41);
+  await page.click('#tools >> text=Join…');
+  assert.match(await page.textContent('#hint'), /one with tooth 41/);
+  await clickAt(page, await place(31));
+  assert.equal(await state(page, 's.now.teeth.length'), 13);
+  await undo(before);
+  await select(46);
+  const points = await state(page, `s.points.points.filter((p) => p.group === s.selected).map((p) => p.position)`);
+  await page.click('#tools >> text=Split…');
+  await clickAt(page, points[0]);
+  assert.match(await status(page), /^Split/);
+  assert.equal(await state(page, 's.now.teeth.length'), 15);
+  await undo(before);
+});
+
 test('a number set by hand stays, and one that breaks the order is refused in a sentence', async () => {
   const set = async (fdi, to) => {
     await page.selectOption(`#list select[aria-label="FDI number of tooth ${fdi}"]`, String(to));
@@ -184,6 +202,12 @@ test('feature points: added, moved, removed, and used', async () => {
   await page.waitForTimeout(300);
   await settled(page);
   assert.equal(await state(page, 's.point'), added.id);
+  await page.selectOption('select[aria-label="Tooth of the point"]', { label: 'a tooth of its own' });
+  await settled(page);
+  assert.equal(await state(page, 's.points.groups.length'), 15);
+  await page.mouse.click(to.x, to.y);
+  await page.waitForTimeout(300);
+  await settled(page);
   await page.keyboard.press('Delete');
   await settled(page);
   assert.deepEqual((await points()).map((p) => p.id), before.map((p) => p.id));

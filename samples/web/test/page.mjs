@@ -32,14 +32,19 @@ export async function openPage(options = {}) {
     window.longTasks = [];
     new PerformanceObserver((list) => window.longTasks.push(...list.getEntries().map((e) => e.duration))).observe({ type: 'longtask' });
   });
-  await page.goto(address);
-  await page.waitForFunction(() => window.viewer?.ready());
   const close = async () => {
     await browser.close();
     server.close();
     rmSync(profile, { recursive: true, force: true, maxRetries: 3 });
   };
-  return { page, browser, faults, address, close };
+  try {
+    await page.goto(address);
+    await page.waitForFunction(() => window.viewer?.ready());
+  } catch (error) {
+    await close(); // else the browser would keep the process alive
+    throw error;
+  }
+  return { page, browser, faults, close };
 }
 
 /** Until nothing runs, and what came of it is drawn. */

@@ -41,10 +41,19 @@ export function buildTools(box: HTMLElement, app: App, actions: Actions): () => 
     return app.onTooth('lock', { locked: !tooth?.locked }, tooth?.locked ? 'Unlocked' : 'Locked');
   });
   const remove = button('Remove', 'As if it had not been separated (Delete)', () => app.onTooth('remove', {}, 'Joined to the gum again:'));
-  const tooth = h('section', { 'aria-label': 'The selected tooth' }, name, h('div', { class: 'row' }, ...cut, lock, remove));
+  const split = button('Split…', 'Two teeth came out as one: click the other part', () => app.startTask('split'));
+  const merge = button('Join…', 'One tooth came out as two: click the other one', () => app.startTask('merge'));
+  const tooth = h('section', { 'aria-label': 'The selected tooth' }, name, h('div', { class: 'row' }, ...cut, split, merge, lock, remove));
   const field = h('input', { type: 'checkbox', onchange: () => void app.toggleField() });
   const points = h('input', { type: 'checkbox', onchange: () => app.togglePoints() });
   const prepare = button('Use these points', 'Prepare the scan with the points as they are, and repeat the clicks', () => app.prepare(), 'wide');
+  const group = h('select', { 'aria-label': 'Tooth of the point', onchange: () => {
+    const { value } = group;
+    void app.editPoints('setGroup', { point: app.state.point!, group: value === '' ? null : Number(value) }, 'The point is of another tooth now.');
+  } });
+  const point = h('section', { 'aria-label': 'The selected point' }, h('h3', {}, 'Point of'), group, h('div', { class: 'row' },
+    button('Remove', 'Without this point (Delete)', () => app.editPoints('removePoint', { point: app.state.point! }, 'Removed the point.')),
+    button('All of its tooth', 'Without the points of its tooth (Shift+Delete)', () => app.removeGroupOfPoint())));
   const closed = h('input', { type: 'checkbox', checked: true, onchange: (e) => (app.state.closed = (e.target as HTMLInputElement).checked) });
   const exports = [
     button('Teeth (STL, zip)', 'Each tooth as an STL file, in one zip', () => app.exportFile('exportTeeth'), 'wide'),
@@ -63,6 +72,7 @@ export function buildTools(box: HTMLElement, app: App, actions: Actions): () => 
     h('section', { 'aria-label': 'Steps' }, h('div', { class: 'row' }, undo, redo), all),
     tooth,
     h('section', { 'aria-label': 'Show' }, label(field, 'Field and contours', 'F'), label(points, 'Feature points', 'G'), prepare),
+    point,
     h('section', { 'aria-label': 'Save' }, h('h3', {}, 'Save'), label(closed, 'Closed teeth'), ...exports),
     h('footer', {}, 'The scan never leaves this browser: all the work is done on this computer.'),
   );
@@ -78,7 +88,7 @@ export function buildTools(box: HTMLElement, app: App, actions: Actions): () => 
     undo.disabled = !now?.undo;
     redo.disabled = !now?.redo;
     all.disabled = !state.opened;
-    tooth.hidden = !chosen;
+    tooth.hidden = !chosen || state.tool === 'points';
     if (chosen) {
       name.textContent = nameOf(state, chosen.id).replace(/^t/, 'T');
       lock.textContent = chosen.locked ? 'Unlock' : 'Lock';
@@ -86,6 +96,11 @@ export function buildTools(box: HTMLElement, app: App, actions: Actions): () => 
     field.checked = state.showField;
     points.checked = state.showPoints;
     field.disabled = points.disabled = !state.opened;
+    const at = state.points?.points.find((p) => p.id === state.point);
+    point.hidden = !at;
+    if (at)
+      group.replaceChildren(...state.points!.groups.map(({ id }) => h('option', { value: id, selected: id === at.group }, nameOf(state, id))),
+        h('option', { value: '' }, 'a tooth of its own'));
     prepare.hidden = !state.points?.edited;
     exports[0].disabled = exports[1].disabled = !now?.teeth.length;
     exports[2].disabled = !state.opened;
