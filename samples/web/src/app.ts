@@ -121,7 +121,7 @@ export class App {
   }
 
   segmentAll(): Promise<void> {
-    return this.step('segmentAll', {}, (state) => `${state.now!.teeth.length} teeth stand. ${this.left()}`);
+    return this.step('segmentAll', {}, (state) => `${state.now!.teeth.length} teeth. ${this.left()}`);
   }
 
   /** "This too", or "not this": on the tooth that is selected. */

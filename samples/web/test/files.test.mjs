@@ -1,7 +1,7 @@
 // Files in and out. SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Context, Model, Features, Segmentation, load } from 'toothseg-wasm';
+import { Context, Model, Features, Segmentation, load, makeArch } from 'toothseg-wasm';
 import { openEdges, readPly, readStl, readZip } from './files.mjs';
 import { clickAt, download, drop, labels, openArch, openPage, settled, state, status } from './page.mjs';
 
@@ -104,8 +104,35 @@ test('a scan that is chosen as a file opens, and gives the labels of the library
   assert.deepEqual(await labels(page), [...segmentation.labels()]);
 });
 
+/** The mesh as text or bytes of each format that is read. */
+const WRITERS = {
+  stl: ({ positions, triangles }) => {
+    const bytes = Buffer.alloc(84 + (50 * triangles.length) / 3);
+    bytes.writeUInt32LE(triangles.length / 3, 80);
+    triangles.forEach((v, i) => {
+      for (let k = 0; k < 3; ++k) bytes.writeFloatLE(positions[3 * v + k], 84 + 50 * Math.floor(i / 3) + 12 + 12 * (i % 3) + 4 * k);
+    });
+    return bytes;
+  },
+  obj: (mesh) => Buffer.from([...rows(mesh.positions).map((p) => `v ${p.join(' ')}`),
+    ...rows(mesh.triangles).map((t) => `f ${t.map((v) => v + 1).join(' ')}`)].join('\n')),
+  off: (mesh) => Buffer.from(['OFF', `${mesh.positions.length / 3} ${mesh.triangles.length / 3} 0`,
+    ...rows(mesh.positions).map((p) => p.join(' ')), ...rows(mesh.triangles).map((t) => `3 ${t.join(' ')}`), ''].join('\n')),
+};
+const rows = (flat) => Array.from({ length: flat.length / 3 }, (_, i) => [...flat.subarray(3 * i, 3 * i + 3)]);
+
+test('STL, OBJ and OFF open when they are dropped', async () => {
+  const small = makeArch({ jaw: 2, triangles: 20000, seed: 1 });
+  for (const [ending, write] of Object.entries(WRITERS)) {
+    await drop(page, `small.${ending}`, write(small));
+    assert.equal(await state(page, 's.opened.name'), `small.${ending}`, await status(page));
+    assert.equal(await state(page, 's.opened.faces'), small.triangles.length / 3);
+    assert.equal(await state(page, 's.points.groups.length'), small.teeth.length);
+  }
+});
+
 test('the session of another scan is refused in a sentence', async () => {
-  await drop(page, 'arch.toothseg.json', session); // of the arch in doubles; what is open has it in floats
+  await drop(page, 'arch.toothseg.json', session);
   assert.match(await status(page), /belongs to another scan/);
 });
 

@@ -6,10 +6,18 @@ import { keep } from './pictures.mjs';
 
 /** Opens, hovers, turns, clicks, looks at the field; gives the longest task of the main thread meanwhile. */
 async function longest(page, triangles) {
-  await page.evaluate(() => (window.longTasks.length = 0));
+  await page.evaluate(() => {
+    window.longTasks.length = 0;
+    const bar = document.getElementById('progress');
+    window.shares = [];
+    new MutationObserver(() => window.shares.push(Number(bar.getAttribute('aria-valuenow')))).observe(bar, { attributeFilter: ['aria-valuenow'] });
+  });
   await page.evaluate((n) => window.viewer.openArch(n), triangles);
   await page.waitForFunction((n) => window.viewer.state.opened?.faces > 0.9 * n && window.viewer.idle(), triangles);
   await settled(page);
+  const shares = await page.evaluate(() => window.shares);
+  assert.ok(new Set(shares).size > 5, `the share that is done: ${shares}`);
+  assert.ok(shares.every((share, i) => i === 0 || share >= shares[i - 1]), `the share that is done falls: ${shares}`);
   const places = await state(page, 's.now.proposals');
   for (const place of places) await hoverAt(page, place);
   await page.mouse.move(640, 500);
