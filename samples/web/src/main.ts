@@ -82,7 +82,10 @@ function update(): () => void {
     const group = walk !== null ? state.points?.groups[walk] : undefined;
     const tooth = group && now?.teeth.find((t) => t.id === group.id);
     if (group) app.view.surface?.hint(walk! + 1, 0, tooth?.label ?? 0);
-    else if (hover && now && tool !== 'points') app.view.surface?.hint(hover.group, hover.neighbour, labelAt(app, hover));
+    else if (hover && now && tool !== 'points') {
+      const label = labelAt(app, hover);
+      app.view.surface?.hint(label ? 0 : hover.group, label ? 0 : hover.neighbour, label);
+    }
     else app.view.surface?.hint(0, 0, 0);
   };
 }
