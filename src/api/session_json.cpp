@@ -27,7 +27,7 @@ struct Hash {
   }
 };
 
-std::uint64_t hash_of(const mesh::Surface &s) {
+std::uint64_t hash_of_mesh(const mesh::Surface &s) {
   Hash h;
   h.add(s.position.data(), s.position.size() * sizeof s.position[0]);
   h.add(s.triangle.data(), s.triangle.size() * sizeof s.triangle[0]);
@@ -295,7 +295,7 @@ std::string to_json(const SavedSession &session, const mesh::Surface &surface) {
     steps.add(std::move(step));
   }
   Json all = Json::object();
-  all.set("toothseg_session", kFormat).set("mesh", hex(hash_of(surface))).set("options", std::move(options));
+  all.set("toothseg_session", kFormat).set("mesh", hex(hash_of_mesh(surface))).set("options", std::move(options));
   all.set("features", to_json(session.features)).set("steps", std::move(steps));
   all.set("undone", std::uint64_t{session.undone}).set("labels", hex(session.result_hash));
   return all.dump();
@@ -311,7 +311,7 @@ SavedSession from_json(std::string_view text, const mesh::Surface &surface) {
                                        std::to_string(kFormat));
   if (format == 0) throw Error(Fault::file_format, "there is no format 0 of a session");
   SavedSession s;
-  if (file["mesh"].hash() != hash_of(surface)) throw Error(Fault::mismatch, "the session is of another mesh");
+  if (file["mesh"].hash() != hash_of_mesh(surface)) throw Error(Fault::mismatch, "the session is of another mesh");
   s.result_hash = file["labels"].hash();
   const Place options = file["options"];
   each_option(s.options, [&](const char *name, auto &value) { set_option(options[name], value); });
