@@ -12,8 +12,7 @@ case $what in
     # The languages of bindings/. A Node that is there, of whatever origin, will do.
     packages="$packages python3-pip python3-setuptools python3-wheel python3-venv rustc cargo fp-compiler mono-mcs mono-runtime dpkg-dev"
     command -v node >/dev/null && command -v npm >/dev/null || packages="$packages nodejs npm" ;;
-  # Tests and benchmarks are read as well, with what they include.
-  lint) packages="$packages python3 doctest-dev libopenmesh-dev clang-format-14 clang-tidy-14 cppcheck" ;;
+  lint) packages="$packages python3 clang-format-14 clang-tidy-14 cppcheck" ;;
   fuzz) packages="$packages clang-14 libclang-rt-14-dev" ;;
   bench) packages="$packages libsuitesparse-dev libopenblas-dev" ;;
   study) packages="$packages python3 python3-numpy python3-scipy python3-matplotlib python3-pil fonts-dejavu-core libcgal-dev libopenmesh-dev" ;;
