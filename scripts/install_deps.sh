@@ -15,8 +15,7 @@ case $what in
   # WebAssembly and the viewer, with the browser that tests it.
   web) packages="$packages emscripten chromium fonts-dejavu-core"
     command -v node >/dev/null && command -v npm >/dev/null || packages="$packages nodejs npm" ;;
-  # Tests and benchmarks are read as well, with what they include.
-  lint) packages="$packages python3 doctest-dev libopenmesh-dev clang-format-14 clang-tidy-14 cppcheck" ;;
+  lint) packages="$packages python3 clang-format-14 clang-tidy-14 cppcheck" ;;
   fuzz) packages="$packages clang-14 libclang-rt-14-dev" ;;
   bench) packages="$packages libsuitesparse-dev libopenblas-dev" ;;
   study) packages="$packages python3 python3-numpy python3-scipy python3-matplotlib python3-pil fonts-dejavu-core libcgal-dev libopenmesh-dev" ;;

@@ -24,7 +24,7 @@ for file in abi.js abi.d.ts context.js errors.js features.js mesh.js model.js nu
 done
 sed 's|\./lib/|./|' "$node/index.js" >"$package/lib/public.js"
 sed 's|\./lib/|./|' "$node/index.d.ts" >"$package/lib/public.d.ts"
-cp "$here"/lib/*.js "$build/bindings/wasm/toothseg.mjs" "$build/bindings/wasm/toothseg.wasm" "$package/lib/"
+cp "$here"/lib/*.js "$here/lib/later.d.ts" "$build/bindings/wasm/toothseg.mjs" "$build/bindings/wasm/toothseg.wasm" "$package/lib/"
 for file in index.js index.node.js index.d.ts package.json README.md; do cp "$here/$file" "$package/"; done
 cp "$root/LICENSE" "$package/"
 echo "$package"

@@ -5,7 +5,9 @@
 #include "toothseg_arch.h"
 
 /* Bytes of the module's memory that are in use, of the library's and of what JavaScript took for a call. */
-size_t tsw_bytes_in_use(void) { return mallinfo().uordblks; }
+size_t tsw_bytes_in_use(void) {
+  return mallinfo().uordblks;
+}
 
 /* What lib/arch.js has of the arch's structs. */
 _Static_assert(sizeof(tsa_options) == 56 && offsetof(tsa_options, jaw) == 4 && offsetof(tsa_options, triangles) == 8 &&

@@ -1,6 +1,6 @@
-// Numbers from and to text, of which libc++ 13 has those of integers alone; see ranges.h. By the C library, whose numbers
-// have a point in every locale here (musl) and are exact both ways, so that files and sessions are those of other systems.
-// SPDX-License-Identifier: Apache-2.0
+// Numbers from and to text, of which libc++ 13 has those of integers alone; see ranges.h. By the C library, whose
+// numbers have a point in every locale here (musl) and are exact both ways, so that files and sessions are those of
+// other systems. SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <charconv>
@@ -71,7 +71,8 @@ inline from_chars_result from_chars(const char *first, const char *last, double 
 
 inline to_chars_result to_chars(char *first, char *last, double value, chars_format format, int precision) {
   char text[1100];  // the longest: 309 digits before the point
-  static_cast<void>(std::snprintf(text, sizeof text, format == chars_format::fixed ? "%.*f" : "%.*g", precision, value));
+  static_cast<void>(
+      std::snprintf(text, sizeof text, format == chars_format::fixed ? "%.*f" : "%.*g", precision, value));
   return ts_missing::put(first, last, text);
 }
 

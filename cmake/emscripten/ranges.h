@@ -1,5 +1,5 @@
-// The algorithms of C++20 on ranges that src/ uses and the libc++ 13 of Emscripten 3.1 has not: included before each of the
-// library's files by CMakeLists.txt, so that these are written for C++20 alone. Goes with that libc++.
+// The algorithms of C++20 on ranges that src/ uses and the libc++ 13 of Emscripten 3.1 has not: included before each of
+// the library's files by CMakeLists.txt, so that these are written for C++20 alone. Goes with that libc++.
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 

@@ -1,5 +1,3 @@
-#include <ranges>
-
 #include "api/guard.h"
 #include "api/session_json.h"
 #include "base/whole_file.h"
@@ -18,7 +16,8 @@ std::string written(const ts_segmentation &s) {
   saved.options = s.prepared->segmenter->options();
   saved.commands = s.history.forgotten();
   for (const History::Step &step : s.history.done()) saved.commands.push_back(step.command);
-  const auto &undone = s.history.undone();  // the last of them is the next to be redone
+  const auto &undone = s.history.undone();
+  // NOLINTNEXTLINE(modernize-loop-convert): clang 14 cannot read the views of GCC 12's library
   for (auto step = undone.rbegin(); step != undone.rend(); ++step) saved.commands.push_back(step->command);
   saved.undone = undone.size();
   saved.result_hash = hash_of(s.session);

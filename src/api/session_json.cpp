@@ -160,7 +160,7 @@ void set_option(const Place &place, std::uint32_t &to) {
   to = static_cast<std::uint32_t>(place.integer(UINT32_MAX));
 }
 void set_option(const Place &place, std::size_t &to) {
-  to = static_cast<std::size_t>(place.integer(SIZE_MAX));
+  to = static_cast<std::size_t>(std::min<std::uint64_t>(place.integer(UINT64_MAX), SIZE_MAX));
 }
 template <class Enum>
 requires std::is_enum_v<Enum>

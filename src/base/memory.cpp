@@ -5,6 +5,8 @@
 #include <new>
 #include <utility>
 
+#include "base/stop.h"
+
 // Pages of our own would hide from AddressSanitizer what goes beyond them.
 #if defined(__linux__) && !defined(TS_SANITIZED)
 #define TS_OWN_PAGES
@@ -65,6 +67,7 @@ constexpr std::size_t large = std::size_t{1} << 20;
 
 void *allocate(std::size_t bytes) {
   if (bytes > SIZE_MAX - 2 * line) throw std::bad_alloc();
+  if (bytes >= large) stop_if_asked();  // whoever fills so much is about to take long, and bears that an allocation throws
   const std::shared_ptr<const AllocatorHooks> &hooks = current_hooks;
   const std::size_t whole = bytes + 2 * line;
   const bool callers = hooks && hooks->alloc;

@@ -41,8 +41,9 @@ struct Allocator {
   // NOLINTNEXTLINE(google-explicit-constructor): an allocator of another type is one of this, says the standard
   Allocator(const Allocator<U> &) noexcept {}
   T *allocate(std::size_t n) {
-    if (n > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
-    return static_cast<T *>(ts::allocate(n * sizeof(T)));
+    constexpr std::size_t each = sizeof(T);  // NOLINT(bugprone-sizeof-expression): T may be a pointer
+    if (n > static_cast<std::size_t>(-1) / each) throw std::bad_alloc();
+    return static_cast<T *>(ts::allocate(n * each));
   }
   void deallocate(T *p, std::size_t) noexcept { ts::deallocate(p); }
   template <class U>

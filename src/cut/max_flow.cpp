@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stop.h"
+
 namespace ts::cut {
 
 using mesh::none;
@@ -41,7 +43,9 @@ double MaxFlow::solve() {
     node_[i].distance = 1;
     activate(i);
   }
+  StopNowAndThen stop(1 << 6);
   for (Index middle = grow(); middle != none; middle = grow()) {
+    stop();
     ++time_;
     augment(middle);
     while (!orphans_.empty()) {

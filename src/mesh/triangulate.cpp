@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/stop.h"
+
 namespace ts::mesh {
 
 bool Triangulator::operator()(std::span<const Vec3> position, std::span<const Index> polygon, Vec<Triangle> &out) {
@@ -81,7 +83,8 @@ bool Triangulator::is_ear(Index i) const {
 
 void Triangulator::clip(Vec<Triangle> &out) {
   Vec<std::uint8_t> ear(vertex_.size());
-  for (Index i = 0; i < vertex_.size(); ++i) ear[i] = is_ear(i);
+  StopNowAndThen stop(1 << 6);
+  for (Index i = 0; i < vertex_.size(); ++i, stop()) ear[i] = is_ear(i);
   std::size_t left = vertex_.size();
   Index i = 0;
   for (std::size_t tried = 0; left > 3;) {
@@ -92,6 +95,7 @@ void Triangulator::clip(Vec<Triangle> &out) {
       ++tried;
       continue;
     }
+    stop();
     const Index p = before_[i], n = after_[i];
     out.push_back({vertex_[p], vertex_[i], vertex_[n]});
     after_[p] = n;

@@ -82,13 +82,14 @@ Vec<std::array<Index, 2>> crossings(std::span<const Vec3> position, std::span<co
     return Box{position[a].cwiseMin(position[b]).cwiseMin(position[c]),
                position[a].cwiseMax(position[b]).cwiseMax(position[c]), t};
   };
+  StopNowAndThen stop(1 << 13);
   Box whole = box_of(first);
   for (Index t = first; t < triangle.size(); ++t) {
+    stop();
     const Box b = box_of(t);
     whole.low = whole.low.cwiseMin(b.low), whole.high = whole.high.cwiseMax(b.high);
   }
   Vec<Box> boxes;
-  StopNowAndThen stop(1 << 13);
   for (Index t = 0; t < triangle.size(); ++t) {
     stop();
     const Box b = box_of(t);

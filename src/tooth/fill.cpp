@@ -141,7 +141,8 @@ class Patch {
       else
         entries.emplace_back(v - loop_, w - loop_, -weight);
     };
-    for (Index t = 0; t < triangle_.size(); ++t)
+    StopNowAndThen stop(1 << 13);
+    for (Index t = 0; t < triangle_.size(); ++t, stop())
       for (Index k = 0; k < 3; ++k) {
         const Index other = beside_[t][k];
         if (other == mesh::none || other < t) continue;
@@ -153,7 +154,9 @@ class Patch {
       }
     for (Index v = 0; v < inside; ++v) entries.emplace_back(v, v, diagonal[v]);
     Eigen::SparseMatrix<double> matrix(inside, inside);
+    stop_if_asked();
     matrix.setFromTriplets(entries.begin(), entries.end());
+    stop_if_asked();
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper, Asking> solver;
     solver.setTolerance(1e-8);
     solver.compute(matrix);
