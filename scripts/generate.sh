@@ -10,4 +10,5 @@ for binding in python rust pascal csharp; do
   [ ! -f bindings/$binding/generate.py ] || $python bindings/$binding/generate.py
 done
 node bindings/node/generate.mjs
+node bindings/wasm/generate.mjs
 git status --short abi bindings

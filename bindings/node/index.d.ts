@@ -10,6 +10,7 @@ import type {
   ToothMeshOptions,
 } from './lib/abi.js';
 import { FileFormat, LogLevel, Status } from './lib/abi.js';
+import type { LaterOptions } from './lib/later.js';
 
 export {
   Background, ClickInfo, ClickTimes, ContourInfo, CutEdit, CutInfo, CutRule, EdgePoint, EditKind, FeatureGroup,
@@ -18,6 +19,8 @@ export {
   PrepareTimes, Preset, ReviewItem, SaveOptions, SegmentOptions, Status, SurfacePoint, ToothFrame, ToothInfo,
   ToothMeshOptions, ToothWarning, Unit, Weights,
 } from './lib/abi.js';
+
+export { LaterOptions } from './lib/later.js';
 
 /** x, y, z, in mm where it is a place. */
 export type Point = ArrayLike<number>;
@@ -30,14 +33,6 @@ export interface NowOptions {
    *  call. Wants a context with `threads: 1`. */
   onProgress?: (fraction: number, stage: string) => boolean | void;
   /** Looked at before the call. */
-  signal?: AbortSignal;
-}
-
-/** Of a call on another thread. */
-export interface LaterOptions {
-  /** Called some 30 times a second with the share that is done, 0 to 1. False cancels; what it throws comes out of the call. */
-  onProgress?: (fraction: number) => boolean | void;
-  /** Cancels the call, which is then rejected with the signal's reason. */
   signal?: AbortSignal;
 }
 

@@ -160,7 +160,7 @@ void set_option(const Place &place, std::uint32_t &to) {
   to = static_cast<std::uint32_t>(place.integer(UINT32_MAX));
 }
 void set_option(const Place &place, std::size_t &to) {
-  to = place.integer(SIZE_MAX);
+  to = static_cast<std::size_t>(std::min<std::uint64_t>(place.integer(UINT64_MAX), SIZE_MAX));
 }
 template <class Enum>
 requires std::is_enum_v<Enum>
@@ -271,6 +271,8 @@ std::string to_json(const SavedSession &session, const mesh::Surface &surface) {
     using T = std::decay_t<decltype(value)>;
     if constexpr (std::is_enum_v<T>)
       options.set(name, static_cast<std::uint32_t>(value));
+    else if constexpr (std::is_same_v<T, std::size_t>)  // no type of Json's everywhere
+      options.set(name, std::uint64_t{value});
     else
       options.set(name, value);
   });
@@ -322,7 +324,7 @@ SavedSession from_json(std::string_view text, const mesh::Surface &surface) {
   }
   s.features = features_of(file["features"], surface.vertices());
   file["steps"].each([&](const Place &step) { s.commands.push_back(command_of(step)); });
-  s.undone = file["undone"].integer(s.commands.size());
+  s.undone = static_cast<std::size_t>(file["undone"].integer(s.commands.size()));
   return s;
 }
 

@@ -31,7 +31,8 @@ class Forward {
   void eliminate(const Factor &factor, Index first, Index end);  // these columns
 
   Eigen::Map<const Rows> block(std::size_t i) const {
-    return {value_.data() + start_[i] * columns_, static_cast<Eigen::Index>(start_[i + 1] - start_[i]), columns_};
+    return {value_.data() + start_[i] * columns_, static_cast<Eigen::Index>(start_[i + 1] - start_[i]),
+            static_cast<Eigen::Index>(columns_)};
   }
 
   Index columns_ = 0;

@@ -51,15 +51,15 @@ RawMesh read_off(std::span<const std::byte> file, Progress progress) {
   check_count(vertices, 6, text.left() + 1, "vertices");
   check_count(faces, 2, text.left() + 1 - 6 * vertices, "faces");
   RawMesh raw;
-  raw.position.resize(vertices);
+  raw.position.resize(static_cast<std::size_t>(vertices));
   for (std::size_t v = 0; v < vertices; ++v) {
     if (v % 65536 == 0) progress(0.5 * static_cast<double>(v) / static_cast<double>(vertices));
     text.find_word();
     for (double &x : raw.position[v]) x = text.real(text.word_on_line(), "a coordinate");
     text.next_line();
   }
-  raw.corner.reserve(3 * faces);
-  raw.face_start.reserve(faces + 1);
+  raw.corner.reserve(static_cast<std::size_t>(3 * faces));
+  raw.face_start.reserve(static_cast<std::size_t>(faces + 1));
   raw.face_start.push_back(0);
   for (std::size_t f = 0; f < faces; ++f) {
     if (f % 65536 == 0) progress(0.5 + 0.5 * static_cast<double>(f) / static_cast<double>(faces));

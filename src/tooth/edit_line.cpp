@@ -224,7 +224,7 @@ Tooth Relining::finish(Vec<Index> zone, const Vec<cut::CrossedEdge> &kept, const
     were_open += is_open(*line);
     have_to_stay += line->closed && line->length > kShort;
   }
-  const auto are_open = std::ranges::count_if(lines, is_open);
+  const auto are_open = static_cast<Index>(std::ranges::count_if(lines, is_open));
   if (lines.empty() || lines.size() < have_to_stay || lines.size() > lines_.size() || are_open > were_open)
     throw Error(Fault::edit_no_loop, "the cut would be " + std::to_string(lines.size()) + " lines, " +
                                          std::to_string(are_open) + " of them open; it is " +

@@ -1,7 +1,7 @@
 // The hooks that all objects share. SPDX-License-Identifier: Apache-2.0
 import { Status } from './abi.js';
 import { errorOf, invalid } from './errors.js';
-import { addressOf, allocate, free, functions, register, unregister } from './native.js';
+import { addressOf, allocate, answersHooks, free, functions, register, unregister } from './native.js';
 import { Owner, Resource, Root, optionsOf } from './resource.js';
 
 // What a hook throws is kept for the call that it was called in.
@@ -42,7 +42,7 @@ export class Context extends Resource {
     const { log, memory } = options;
     const native = optionsOf('ts_context_options', options, ['log', 'memory']);
     const hooks = { threads: native.threads, log, thrown: null };
-    if (memory && native.threads !== 1)
+    if (memory && !answersHooks(native.threads))
       throw invalid('memory hooks want threads: 1, as JavaScript cannot answer other threads while it waits for them');
     const callbacks = [];
     if (log) callbacks.push((native.log = logHook(hooks)));

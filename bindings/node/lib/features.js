@@ -1,6 +1,7 @@
 // Feature points of the teeth. SPDX-License-Identifier: Apache-2.0
 import { NONE } from './abi.js';
-import { Owner, Resource, call, elements, info, later, now, optionsOf, records, value } from './resource.js';
+import { later } from './later.js';
+import { Owner, Resource, call, elements, info, now, optionsOf, records, value } from './resource.js';
 import { index, point } from './values.js';
 
 function made(name, args, out = [null]) {

@@ -1,5 +1,6 @@
 // A tooth, or the gingiva, as a mesh of its own. SPDX-License-Identifier: Apache-2.0
-import { Owner, Resource, elements, info, later, now, optionsOf } from './resource.js';
+import { later } from './later.js';
+import { Owner, Resource, elements, info, now, optionsOf } from './resource.js';
 import { index, text } from './values.js';
 
 function saved(mesh, path, format) {

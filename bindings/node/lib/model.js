@@ -1,7 +1,8 @@
 // A scan after intake. SPDX-License-Identifier: Apache-2.0
 import { FileFormat, Scalar } from './abi.js';
 import { invalid } from './errors.js';
-import { JOB_OPTIONS, Owner, Resource, blank, call, elements, info, later, now, optionsOf } from './resource.js';
+import { later } from './later.js';
+import { JOB_OPTIONS, Owner, Resource, blank, call, elements, info, now, optionsOf } from './resource.js';
 import { index, point, text, tidy } from './values.js';
 
 const intake = (options, ...others) => optionsOf('ts_intake_options', options, [...JOB_OPTIONS, ...others]);

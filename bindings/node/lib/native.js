@@ -64,6 +64,9 @@ for (const [name, [result, parameters]] of Object.entries(functionTable))
 export const register = (callback, type) => koffi.register(callback, callbackTypes[type]);
 export const unregister = (callback) => koffi.unregister(callback);
 
+/** Whether hooks of a context with so many threads are called on the thread that waits for the call. */
+export const answersHooks = (threads) => threads === 1;
+
 export const sizeOf = (struct) => koffi.sizeof(structTypes[struct]);
 /** `count` structs out of a buffer. */
 export const decodeAll = (bytes, struct, count) => koffi.decode(bytes, koffi.array(structTypes[struct], count, 'Array'));

@@ -3,8 +3,8 @@
 // JavaScript runs on one thread, but an asynchronous call works on its objects while JavaScript goes on. So each call
 // holds its objects as the library wants it: many at a time where it takes them as const, one where it does not.
 import { Status, functions as signatures, handles, structs } from './abi.js';
-import { ToothsegError, UsageError, errorOf, invalid, meaning } from './errors.js';
-import { atExit, decodeAll, functions, register, sizeOf, unregister } from './native.js';
+import { UsageError, errorOf, invalid } from './errors.js';
+import { answersHooks, decodeAll, functions, register, sizeOf, unregister } from './native.js';
 import { tidy, withDefaults } from './values.js';
 
 const OWNER = Symbol('owner');
@@ -15,7 +15,7 @@ const HANDLE = new RegExp(`^(const )?(${Object.keys(handles).join('|')}) \\*$`);
 
 // Which arguments of a function are handles.
 const plans = new Map();
-function planOf(name) {
+export function planOf(name) {
   let plan = plans.get(name);
   if (plan) return plan;
   plan = { handles: [], job: -1 };
@@ -106,7 +106,7 @@ export const ownerOf = (resource) => resource[OWNER];
 // --------------------------------------------------------------------------------------------------------------- calls
 
 // Takes the objects of a call; what it returns gives them free again.
-function hold(name, args, plan) {
+export function hold(name, args, plan) {
   const held = plan.handles.map(({ at, kind, exclusive }) => {
     const owner = args[at]?.[OWNER];
     if (owner?.kind !== kind) throw new UsageError(Status.E_NULL, `${name}: wants a ${kind}`);
@@ -135,14 +135,14 @@ function hold(name, args, plan) {
   };
 }
 
-function raw(args, plan, held, job) {
+export function raw(args, plan, held, job) {
   const out = [...args];
   plan.handles.forEach(({ at }, i) => (out[at] = held.pointers[i]));
   if (plan.job >= 0) out[plan.job] = job;
   return out;
 }
 
-function makeJob(root, callback) {
+export function makeJob(root, callback) {
   const out = [null];
   const status = functions.ts_job_create(root.pointer, callback, null, out);
   if (status !== Status.OK) throw errorOf(status, functions.ts_last_error_message());
@@ -157,7 +157,7 @@ function thrownByHook(root) {
 }
 
 // The end of a call that the library has returned from. `result` makes what the call gives.
-function settle({ name, args, result }, plan, root, status, message, thrown) {
+export function settle({ name, args, result }, plan, root, status, message, thrown) {
   const byHook = thrownByHook(root);
   const made = status === Status.OK ? result?.(root) : undefined;
   const failure = thrown ?? (status === Status.OK ? null : { error: errorOf(status, message(name, status, args)) }) ?? byHook;
@@ -234,87 +234,12 @@ export function now(request, options = {}) {
   }
 
   function refuseCallbacks() {
-    if (plan.job >= 0 && (options.onProgress || held.root.hooks.log) && held.root.hooks.threads !== 1)
+    if (plan.job >= 0 && (options.onProgress || held.root.hooks.log) && !answersHooks(held.root.hooks.threads))
       throw invalid(
         `${name}: onProgress and log hooks are called from worker threads, which JavaScript cannot answer while it ` +
           'waits: use the asynchronous form, or a context with threads: 1',
       );
   }
-}
-
-const POLL_MS = 30;
-
-// Node waits for calls that are running when the process exits, and answers no hook of theirs any more.
-const running = new Set();
-atExit(() => running.forEach((job) => functions.ts_job_cancel(job)));
-
-// Looks after a running call's job. A native progress callback would make the library's threads wait for JavaScript, and
-// for ever where JavaScript in its turn waits for them.
-function watch(job, { onProgress, signal }) {
-  const cancel = () => functions.ts_job_cancel(job);
-  let thrown;
-  let last = -1;
-  const report = () => {
-    const fraction = functions.ts_job_progress(job);
-    if (thrown || fraction === last) return;
-    last = fraction;
-    try {
-      if (onProgress(fraction) === false) cancel();
-    } catch (error) {
-      thrown = { error };
-      cancel();
-    }
-  };
-  running.add(job);
-  if (onProgress) report();
-  const timer = onProgress && setInterval(report, POLL_MS);
-  signal?.addEventListener('abort', cancel);
-  return {
-    end(status) {
-      clearInterval(timer);
-      signal?.removeEventListener('abort', cancel);
-      if (onProgress && status === Status.OK) report();
-      running.delete(job);
-      functions.ts_job_destroy(job);
-      if (status === Status.E_CANCELLED && signal?.aborted) thrown ??= { error: signal.reason };
-      return thrown;
-    },
-  };
-}
-
-/** A long call, on another thread. As now(), but `onProgress` gets the fraction alone, and `signal` cancels. */
-export function later(request, options = {}) {
-  const { name, args } = request;
-  const plan = planOf(name);
-  options.signal?.throwIfAborted();
-  const held = hold(name, args, plan);
-  const caller = {};
-  Error.captureStackTrace?.(caller, later);
-  let watcher;
-  return new Promise((resolve, reject) => {
-    const done = (error, status) => {
-      const thrown = watcher?.end(status);
-      held.free();
-      try {
-        if (error) throw error;
-        // The library's message belongs to the thread of the call, which cannot be asked any more.
-        resolve(settle(request, plan, held.root, status, meaning, thrown));
-      } catch (failure) {
-        if (failure instanceof ToothsegError && caller.stack)
-          failure.stack = `${failure}${caller.stack.replace(/^[^\n]*/, '')}`;
-        reject(failure);
-      } finally {
-        held.end();
-      }
-    };
-    try {
-      const job = makeJob(held.root, null);
-      watcher = watch(job, options);
-      functions[name].async(...raw(args, plan, held, job), done);
-    } catch (error) {
-      done(error);
-    }
-  });
 }
 
 // ------------------------------------------------------------------------------------------------- arguments, results
@@ -358,7 +283,8 @@ export function elements(Type, per, name, args, into) {
   } else if (!(into instanceof Type)) {
     throw invalid(`${name}: wants a ${Type.name} to fill`);
   }
-  const filled = per * value(name, ...args, into, Math.floor(into.length / per));
+  const room = Math.floor(into.length / per);
+  const filled = per * value(name, ...args, into.length === per * room ? into : into.subarray(0, per * room), room);
   return into.length === filled ? into : into.subarray(0, filled);
 }
 

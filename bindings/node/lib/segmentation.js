@@ -2,10 +2,11 @@
 import { Preset } from './abi.js';
 import { invalid } from './errors.js';
 import { Features } from './features.js';
+import { later } from './later.js';
 import { meshRequest } from './mesh.js';
 import { decodeIndices, register, unregister } from './native.js';
 import {
-  JOB_OPTIONS, Owner, Resource, SETTLED, blank, call, elements, info, later, now, optionsOf, ownerOf, records, value,
+  JOB_OPTIONS, Owner, Resource, SETTLED, blank, call, elements, info, now, optionsOf, ownerOf, records, value,
 } from './resource.js';
 import { bytes64, index, number, point, points, text, tidy } from './values.js';
 

@@ -78,7 +78,7 @@ test('all functions, handles, callbacks, constants and statuses are there', () =
 });
 
 test('the public layer leads to every function', () => {
-  const sources = ['context', 'features', 'mesh', 'model', 'numbers', 'resource', 'segmentation'];
+  const sources = ['context', 'features', 'later', 'mesh', 'model', 'numbers', 'resource', 'segmentation'];
   const text = sources.map((name) => readFileSync(join(root, `lib/${name}.js`), 'utf8')).join('');
   // By their names, or by the description: ..._init and ..._destroy. A status's name is in the table of statuses; one
   // job serves one call, and has nothing to be reset for.

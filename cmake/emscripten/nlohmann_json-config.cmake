@@ -1,0 +1,13 @@
+# Debian's header for Emscripten: /usr/include itself, which Debian's own file names, has the headers of another C library.
+set(nlohmann_json_VERSION 3.11)
+if(NOT EXISTS /usr/include/nlohmann/json.hpp)
+  set(nlohmann_json_FOUND FALSE)
+  set(nlohmann_json_NOT_FOUND_MESSAGE "/usr/include/nlohmann/json.hpp is not there: Debian's nlohmann-json3-dev")
+  return()
+endif()
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/include)
+file(CREATE_LINK /usr/include/nlohmann ${CMAKE_BINARY_DIR}/include/nlohmann SYMBOLIC)
+if(NOT TARGET nlohmann_json::nlohmann_json)
+  add_library(nlohmann_json::nlohmann_json INTERFACE IMPORTED)
+  target_include_directories(nlohmann_json::nlohmann_json INTERFACE ${CMAKE_BINARY_DIR}/include)
+endif()
