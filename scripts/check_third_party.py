@@ -3,7 +3,7 @@
 """check_third_party.py BUILD [--table FILE]: is THIRD_PARTY.md true? Debian only, and of a build by Ninja.
 
 Each Debian package that the shipped libraries are linked with, that a header they were compiled from belongs to, or that
-scripts/install_deps.sh installs has an entry; each entry is in use; nothing copyleft is compiled in; and Eigen is compiled
+scripts/install_deps.sh installs, or a package.json names, has an entry; each entry is in use; nothing copyleft is compiled in; and Eigen is compiled
 without its LGPL parts."""
 import argparse
 import collections
@@ -86,6 +86,13 @@ def owners(paths):
     return owner, lost
 
 
+def from_npm():
+    """npm:NAME of each package that a package.json of the project asks the registry for."""
+    files = [p for folder in ("bindings", "samples") for p in ROOT.glob(f"{folder}/*/package.json")]
+    wanted = [json.loads(p.read_text()).get(kind, {}) for p in files for kind in ("dependencies", "devDependencies")]
+    return {f"npm:{name}" for packages in wanted for name, version in packages.items() if not version.startswith("file:")}
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("build", type=pathlib.Path)
@@ -103,6 +110,7 @@ def main():
         shipped[package].add(libraries.get(path, path))
     text = (ROOT / "scripts/install_deps.sh").read_text()
     installed = {word for words in re.findall(r'packages="([^"]*)"', text) for word in words.split() if word[0] != "$"}
+    installed |= from_npm()
 
     def has_entry(package, rows):
         return any(fnmatch.fnmatchcase(package, pattern) for row in rows for pattern in row.packages)

@@ -2,10 +2,17 @@
 # The main job, start to end: installs what is missing, builds, makes a synthetic arch (or takes the scan that is named),
 # separates its teeth with N/2 clicks, scores the result where the truth is known, and draws it.
 #   scripts/demo.sh [SCAN.stl|ply|obj|off]      results in out/
+#   scripts/demo.sh --web                       builds the viewer for browsers and serves it on this machine (TS_WEB_PORT: on that port)
 # TS_DEMO_BIN names a folder with ts-segment and make-arch to use those, TS_DEMO_OUT another folder for the results.
 set -euo pipefail
+if [ "$*" = --web ]; then
+  cd "$(dirname "$0")/.."
+  scripts/web.sh --build
+  echo "the viewer, until Ctrl-C:"
+  exec node samples/web/test/serve.mjs samples/web/dist "${TS_WEB_PORT:-0}"
+fi
 if [ $# -gt 1 ] || [[ ${1:-} = -* ]]; then
-  echo "usage: scripts/demo.sh [SCAN.stl|ply|obj|off]" >&2
+  echo "usage: scripts/demo.sh [SCAN.stl|ply|obj|off] | --web" >&2
   exit 2
 fi
 scan=""
