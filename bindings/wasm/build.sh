@@ -26,5 +26,5 @@ sed 's|\./lib/|./|' "$node/index.js" >"$package/lib/public.js"
 sed 's|\./lib/|./|' "$node/index.d.ts" >"$package/lib/public.d.ts"
 cp "$here"/lib/*.js "$here/lib/later.d.ts" "$build/bindings/wasm/toothseg.mjs" "$build/bindings/wasm/toothseg.wasm" "$package/lib/"
 for file in index.js index.node.js index.d.ts package.json README.md; do cp "$here/$file" "$package/"; done
-cp "$root/LICENSE" "$package/"
+cp "$root/LICENSE" "$root/THIRD_PARTY.md" "$package/"
 echo "$package"
