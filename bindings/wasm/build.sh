@@ -12,6 +12,7 @@ command -v emcc >/dev/null || { echo "build.sh: no emcc: scripts/install_deps.sh
 export NODE_PATH=/usr/share/nodejs # of Debian's node-acorn, for a Node of whatever origin
 node "$here/generate.mjs" --check
 cd "$root"
+mkdir -p build
 cmake --preset wasm >"$build.log" 2>&1 || { cat "$build.log" >&2; exit 1; }
 cmake --build --preset wasm
 
