@@ -1,6 +1,7 @@
 // Mouse and pen on the stage: what lies under the cursor, clicks, drags of a cut's or a feature's point.
 // SPDX-License-Identifier: Apache-2.0
 import type { App } from './app';
+import { sentence } from './messages';
 import type { Pick, Vec3 } from './protocol';
 import { nameOf, placeName } from './state';
 
@@ -23,7 +24,7 @@ export class Pointer {
     // Before the camera's own listeners, which come later in the same phase: a grip keeps the camera still.
     canvas.addEventListener('pointerdown', (event) => this.down(event), { capture: true });
     canvas.addEventListener('pointermove', (event) => this.move(event));
-    canvas.addEventListener('pointerup', (event) => void this.up(event), { capture: true });
+    canvas.addEventListener('pointerup', (event) => void this.up(event).catch((error) => this.fail(error)), { capture: true });
     canvas.addEventListener('pointercancel', () => this.release());
     canvas.addEventListener('pointerleave', () => this.setHover(null));
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
@@ -60,6 +61,11 @@ export class Pointer {
     const at = this.at(event);
     if (pressed.grip && pressed.moved) return this.drop(pressed.grip, await this.pick(at.x, at.y));
     if (!pressed.moved) await this.click(await this.pick(at.x, at.y), event, pressed.grip);
+  }
+
+  private fail(error: unknown): void {
+    this.app.say(sentence(error), true);
+    this.app.notify();
   }
 
   private release(): void {
