@@ -8,7 +8,7 @@ case $what in
   build) ;;
   demo) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core" ;;
   test) packages="$packages python3 python3-numpy python3-scipy python3-pil fonts-dejavu-core doctest-dev libopenmesh-dev pkg-config valgrind"
-    packages="$packages python3-clang-14 clang-14 abigail-tools doxygen"
+    packages="$packages python3-clang-14 clang-14 libclang-rt-14-dev abigail-tools doxygen"
     # The languages of bindings/. A Node that is there, of whatever origin, will do.
     packages="$packages python3-pip python3-setuptools python3-wheel python3-venv rustc cargo fp-compiler mono-mcs mono-runtime dpkg-dev"
     command -v node >/dev/null && command -v npm >/dev/null || packages="$packages nodejs npm" ;;

@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs all tests. TS_TEST_ASAN=0 leaves the sanitizer build out.
+# Installs what is missing, reads the source for faults, builds, and runs all tests: the release build, then what the
+# sanitizers see (AddressSanitizer with UndefinedBehaviorSanitizer; a minute of each fuzzer; ThreadSanitizer).
+# TS_TEST_SANITIZED=0 leaves the sanitizers out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/install_deps.sh test
@@ -10,11 +12,26 @@ if [ ! -d bindings/node/node_modules ]; then
   (cd bindings/node && npm ci --ignore-scripts --no-audit --no-fund >/dev/null)
 fi
 
+begin=$SECONDS
+part() {
+  echo "== $1 (after $((SECONDS - begin)) s)"
+}
 run() {
-  echo "== $2"
-  cmake --preset "$1" "${@:3}" >/dev/null
+  cmake --preset "$1" "${@:2}" >/dev/null
   cmake --build --preset "$1" -j "$jobs"
   ctest --preset "$1" -j "$jobs"
 }
-run release "release build, warnings are errors" -DTOOTHSEG_ABI_INFO=ON
-[ "${TS_TEST_ASAN:-1}" != 1 ] || run asan "AddressSanitizer and UndefinedBehaviorSanitizer"
+
+part "source"
+scripts/lint.sh --quick
+part "release build, warnings are errors"
+run release -DTOOTHSEG_ABI_INFO=ON
+if [ "${TS_TEST_SANITIZED:-1}" = 1 ]; then
+  part "AddressSanitizer and UndefinedBehaviorSanitizer"
+  run asan
+  part "fuzzers, a minute each"
+  scripts/fuzz.sh all 60
+  part "ThreadSanitizer"
+  scripts/tsan.sh
+fi
+part "done"

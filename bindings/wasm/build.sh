@@ -12,6 +12,7 @@ command -v emcc >/dev/null || { echo "build.sh: no emcc: scripts/install_deps.sh
 export NODE_PATH=/usr/share/nodejs # of Debian's node-acorn, for a Node of whatever origin
 node "$here/generate.mjs" --check
 cd "$root"
+mkdir -p build
 cmake --preset wasm >"$build.log" 2>&1 || { cat "$build.log" >&2; exit 1; }
 cmake --build --preset wasm
 
@@ -26,5 +27,5 @@ sed 's|\./lib/|./|' "$node/index.js" >"$package/lib/public.js"
 sed 's|\./lib/|./|' "$node/index.d.ts" >"$package/lib/public.d.ts"
 cp "$here"/lib/*.js "$here/lib/later.d.ts" "$build/bindings/wasm/toothseg.mjs" "$build/bindings/wasm/toothseg.wasm" "$package/lib/"
 for file in index.js index.node.js index.d.ts package.json README.md; do cp "$here/$file" "$package/"; done
-cp "$root/LICENSE" "$package/"
+cp "$root/LICENSE" "$root/THIRD_PARTY.md" "$package/"
 echo "$package"

@@ -83,7 +83,7 @@ void check(const Arch &arch) {
 
 }  // namespace
 
-TEST_CASE("synthetic arches, straight and mildly crowded") {
+TEST_CASE("synthetic arches, straight and mildly crowded" * doctest::test_suite("many arches")) {
   for (const std::uint32_t jaw : {TSA_JAW_UPPER, TSA_JAW_LOWER})
     for (const double crowding : {0.0, 0.35}) {
       CAPTURE(jaw);
@@ -93,7 +93,7 @@ TEST_CASE("synthetic arches, straight and mildly crowded") {
     }
 }
 
-TEST_CASE("severely crowded: one tooth before the other, which no line across the arch parts") {
+TEST_CASE("severely crowded: one tooth before the other, which no line across the arch parts" * doctest::test_suite("many arches")) {
   for (const std::uint32_t jaw : {TSA_JAW_LOWER, TSA_JAW_UPPER})
     for (const std::uint64_t seed : {4, 5}) {
       CAPTURE(jaw);
@@ -152,7 +152,7 @@ mesh::Surface both(const Arch &arch, const Arch &other, const Eigen::Matrix3d &t
   return mesh::make_surface(std::move(position), std::move(triangle));
 }
 
-TEST_CASE("two arches in one file do not pass for one") {
+TEST_CASE("two arches in one file do not pass for one" * doctest::test_suite("many arches")) {
   using features::Doubt;
   const Arch made[] = {make(TSA_JAW_UPPER, 0.2, 6, {}, 0), make(TSA_JAW_LOWER, 0.2, 6, {}, 0)};
   for (const std::uint32_t jaw : {TSA_JAW_UPPER, TSA_JAW_LOWER}) {

@@ -194,6 +194,7 @@ int main(int argc, char **argv) {
         std::printf("seed %lu, %s: %.3g of the faces differ, %.3g may\n", first + static_cast<unsigned long>(k), c.name,
                     share, c.allowed);
     }
+    if ((k + 1) % 50 == 0) std::fprintf(stderr, "%d arches, %d failures\n", k + 1, failed);
   }
   for (const Change &c : changes) std::printf("%-28s worst share %.2g, allowed %.2g\n", c.name, c.worst, c.allowed);
   std::printf("%d passed, %d failed\n", passed, failed);

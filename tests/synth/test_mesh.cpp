@@ -125,7 +125,7 @@ constexpr uint64_t kSeeds = 1;  // five times as slow
 constexpr uint64_t kSeeds = 2;
 #endif
 
-TEST_CASE("every crowding is a valid arch with all its teeth") {
+TEST_CASE("every crowding is a valid arch with all its teeth" * doctest::test_suite("many arches")) {
   for (const uint32_t jaw : {TSA_JAW_UPPER, TSA_JAW_LOWER})
     for (const double crowding : {0.35, 0.65, 1.0})
       for (uint64_t seed = 1; seed <= kSeeds; ++seed) {

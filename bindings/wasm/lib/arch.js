@@ -36,7 +36,7 @@ function written(module, address, o, missing) {
 function filled(module, name, arch, bytes, number) {
   check(module, module[name](arch, 0, 0, number));
   const count = new DataView(module.HEAPU8.buffer).getUint32(number, true);
-  const room = module._malloc(count * bytes || 1);
+  const room = module._malloc(count * bytes || 1) >>> 0;
   if (room === 0) throw errorOf(200, `${name}: no memory for ${count} elements`);
   try {
     check(module, module[name](arch, room, count, number));

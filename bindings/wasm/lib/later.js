@@ -1,4 +1,5 @@
 // Long calls where there is but one thread: they are done when the promise is returned. SPDX-License-Identifier: Apache-2.0
+import { Status } from './abi.js';
 import { now } from './resource.js';
 
 /** As now(), but a failure rejects, and a `signal` that is aborted in `onProgress` cancels. */
@@ -9,7 +10,7 @@ export async function later(request, options = {}) {
   try {
     return now(request, { ...options, onProgress: report });
   } catch (error) {
-    if (signal?.aborted) throw signal.reason;
+    if (error?.status === Status.E_CANCELLED && signal?.aborted) throw signal.reason;
     throw error;
   }
 }

@@ -33,6 +33,12 @@ test('cancelling leaves everything as it was', async () => {
   const cancel = new AbortController();
   const onProgress = (fraction) => fraction > 0.3 && cancel.abort(new Error('enough'));
   await assert.rejects(segmentation.segmentAll({ signal: cancel.signal, onProgress: (f) => void onProgress(f) }), { message: 'enough' });
+  const both = new AbortController();
+  const fails = () => {
+    both.abort();
+    throw new RangeError('mine');
+  };
+  await assert.rejects(segmentation.segmentAll({ signal: both.signal, onProgress: fails }), { message: 'mine' });
   await assert.rejects(segmentation.segmentAll({ signal: AbortSignal.abort(new Error('why')) }), { message: 'why' });
   assert.equal(segmentation.writeSession(), was);
   await segmentation.segmentAll({ signal: new AbortController().signal, onProgress: () => {} });
