@@ -76,6 +76,8 @@ test('the page says that the scan stays here, and all of it fits at 1280 x 800, 
   try {
     assert.match(await page.textContent('#start'), /never leaves this browser/);
     assert.match(await page.textContent('#tools footer'), /never leaves this browser/);
+    const notices = await page.evaluate(() => fetch(document.querySelector('#tools footer a').href).then((r) => r.text()));
+    assert.match(notices, /three\.js authors/);
     const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
     const dark = await paper();
     await openArch(page);

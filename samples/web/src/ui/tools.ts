@@ -74,7 +74,8 @@ export function buildTools(box: HTMLElement, app: App, actions: Actions): () => 
     h('section', { 'aria-label': 'Show' }, label(field, 'Field and contours', 'F'), label(points, 'Feature points', 'G'), prepare),
     point,
     h('section', { 'aria-label': 'Save' }, h('h3', {}, 'Save'), label(closed, 'Closed teeth'), ...exports),
-    h('footer', {}, 'The scan never leaves this browser: all the work is done on this computer.'),
+    h('footer', {}, 'The scan never leaves this browser: all the work is done on this computer. ',
+      h('a', { href: './THIRD_PARTY.md', target: '_blank' }, 'Licences')),
   );
   for (const element of radio) element.setAttribute('role', 'radio');
   return () => {
