@@ -67,7 +67,8 @@ constexpr std::size_t large = std::size_t{1} << 20;
 
 void *allocate(std::size_t bytes) {
   if (bytes > SIZE_MAX - 2 * line) throw std::bad_alloc();
-  if (bytes >= large) stop_if_asked();  // whoever fills so much is about to take long, and bears that an allocation throws
+  if (bytes >= large)
+    stop_if_asked();  // whoever fills so much is about to take long, and bears that an allocation throws
   const std::shared_ptr<const AllocatorHooks> &hooks = current_hooks;
   const std::size_t whole = bytes + 2 * line;
   const bool callers = hooks && hooks->alloc;

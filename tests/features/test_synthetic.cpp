@@ -93,7 +93,8 @@ TEST_CASE("synthetic arches, straight and mildly crowded" * doctest::test_suite(
     }
 }
 
-TEST_CASE("severely crowded: one tooth before the other, which no line across the arch parts" * doctest::test_suite("many arches")) {
+TEST_CASE("severely crowded: one tooth before the other, which no line across the arch parts" *
+          doctest::test_suite("many arches")) {
   for (const std::uint32_t jaw : {TSA_JAW_LOWER, TSA_JAW_UPPER})
     for (const std::uint64_t seed : {4, 5}) {
       CAPTURE(jaw);

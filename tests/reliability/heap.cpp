@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstdlib>
 
-
 namespace heap {
 namespace {
 thread_local long count = 0, fails = 0, bytes = 0, most = 0;

@@ -94,7 +94,8 @@ Outcome work(std::size_t worker, const std::vector<Scan> &scans, ts_context *sha
   for (std::size_t k = 0; k < scans.size(); ++k) {
     const std::size_t scan = (k + worker) % scans.size();
     Handle<ts_context> own;
-    if ((scan + worker) % 2 == 1) own = context_on(scan < 2 ? &heap : nullptr, static_cast<std::uint32_t>(1 + scan % 3));
+    if ((scan + worker) % 2 == 1)
+      own = context_on(scan < 2 ? &heap : nullptr, static_cast<std::uint32_t>(1 + scan % 3));
     const SessionOutcome one = soak_session(own ? own.get() : shared, scans[scan], scan % 2 == 1,
                                             folder + "/" + std::to_string(worker) + "-" + std::to_string(scan));
     // The order of the scans is not the same for all workers: a sum.

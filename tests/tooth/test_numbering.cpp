@@ -113,7 +113,8 @@ constexpr int kPairStride = 5;  // ten times as slow
 constexpr int kPairStride = 1;
 #endif
 
-TEST_CASE("every tooth of arches of mean teeth, whichever one or two are missing, both jaws, both ways round" * doctest::test_suite("many arches")) {
+TEST_CASE("every tooth of arches of mean teeth, whichever one or two are missing, both jaws, both ways round" *
+          doctest::test_suite("many arches")) {
   for (const Jaw jaw : {Jaw::upper, Jaw::lower})
     for (int a = 1; a < 15; ++a)
       for (int b = a; b < 15; b += kPairStride) {
