@@ -267,7 +267,7 @@ static void an_arch_longer_than_any(void) {
     CHECK_STATUS(ts_features_add_point(by_hand, at, TS_NONE, NULL, NULL), TS_OK);
   }
   REQUIRE_STATUS(ts_segmentation_create(by_hand, NULL, NULL, &segmentation), TS_OK);
-  CHECK_STATUS(ts_assign_numbers(segmentation, NULL), TS_E_NUMBER_ORDER); /* no teeth are that far apart */
+  CHECK_STATUS(ts_assign_numbers(segmentation, NULL), TS_E_INVALID_ARGUMENT); /* no arch is that long */
   ts_segmentation_destroy(segmentation);
   ts_features_destroy(by_hand);
   ts_model_destroy(model);

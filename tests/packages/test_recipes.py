@@ -46,7 +46,7 @@ set(ENV{CMAKE_BUILD_PARALLEL_LEVEL} 1)
 function(vcpkg_cmake_configure)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" SOURCE_PATH OPTIONS)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${arg_SOURCE_PATH} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_CXX_COMPILER_LAUNCHER=${WORK}/compiler.sh -DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR} ${arg_OPTIONS}
+    -DCMAKE_CXX_COMPILER_LAUNCHER=${WORK}/compiler.sh -DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR} ${arg_OPTIONS} ${OBJECTS}
     ERROR_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
   if(said MATCHES "not used by the project")
     message(FATAL_ERROR "${said}")
@@ -94,7 +94,9 @@ def port(build, linkage):
     compiler = work / "compiler.sh"
     compiler.write_text(COMPILER.format(build=build))
     compiler.chmod(0o755)
-    sets = {"WORK": work, "PORT": "toothseg", "CURRENT_PACKAGES_DIR": packages, "VCPKG_LIBRARY_LINKAGE": linkage}
+    # How many files an object is made of, as in BUILD.
+    objects = re.findall(r"^(CMAKE_UNITY_BUILD\w*):\w+=(.+)$", (build / "CMakeCache.txt").read_text(), re.M)
+    sets = {"OBJECTS": ";".join(f"-D{name}={value}" for name, value in objects), "WORK": work, "PORT": "toothseg", "CURRENT_PACKAGES_DIR": packages, "VCPKG_LIBRARY_LINKAGE": linkage}
     text = "".join(f'set({k} "{v}")\n' for k, v in sets.items()) + STAND_INS + f'include("{PORT}/portfile.cmake")\n'
     (work / "run.cmake").write_text(text)
     run("cmake", "-P", work / "run.cmake")

@@ -237,7 +237,9 @@ typedef enum ts_scalar {
 } ts_scalar;
 
 /** Unit of the caller's coordinates. TS_UNIT_CHECKED_MM: mm, and TS_E_MESH_UNITS if the size of the mesh contradicts
- *  it (bounding box diagonal under 9 or over 400); the others convert without a check. */
+ *  it (bounding box diagonal under 9 or over 400); the others convert without a check of the size, as long as coordinates
+ *  stay within 1e9 mm. Distances of the library are of teeth in mm, whatever the size: on a surface over 400 mm across no
+ *  teeth are found (TS_E_NO_TEETH), and parts under 0.5 mm are not closed (TS_E_NOT_CLOSED). */
 typedef enum ts_unit {
   TS_UNIT_CHECKED_MM = 0, /**< mm, checked */
   TS_UNIT_MM = 1,         /**< mm, whatever the size */
@@ -619,7 +621,8 @@ TS_API TS_NODISCARD ts_status ts_get_click_count(const ts_segmentation *segmenta
 TS_API TS_NODISCARD ts_status ts_get_click(const ts_segmentation *segmentation, uint32_t click, ts_click_info *info);
 
 /** u of Eq. 3 for a click, a value a model vertex: 0 on the target, 1 on the neighbour; NaN on pieces of the mesh that
- *  hold no constraint. */
+ *  hold no constraint: Eq. 3 leaves u open there. Their faces belong to no tooth (label 0), and clicks and corrections on a
+ *  piece without any feature point are refused with TS_E_CLICK_ON_GINGIVA. */
 TS_API TS_NODISCARD ts_status ts_get_field(const ts_segmentation *segmentation, uint32_t click, double *u, uint32_t capacity,
                                            uint32_t *count);
 
@@ -924,7 +927,8 @@ TS_API TS_NODISCARD ts_status ts_number_options_init(ts_number_options *options,
  *  `options` in, may be NULL: the defaults; kept for ts_set_number.
  *  Errors, with all numbers as they were: TS_E_TOO_MANY_TEETH (over 16), TS_E_NUMBER_JAW (a number set by hand is of
  *  the other jaw than `options` give), TS_E_NUMBER_ORDER (those set fit no numbering), TS_E_INVALID_ARGUMENT (also
- *  where the features have no occlusal direction), TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_OUT_OF_MEMORY. */
+ *  where the features have no occlusal direction, or the line along the teeth is over 1000 mm long: a mesh in other
+ *  units than it says), TS_E_NULL, TS_E_STRUCT_SIZE, TS_E_OUT_OF_MEMORY. */
 TS_API TS_NODISCARD ts_status ts_assign_numbers(ts_segmentation *segmentation, const ts_number_options *options);
 
 /** Sets the number of a tooth by hand; those of the others follow, and so does the jaw. `tooth`: id of its group (that of
