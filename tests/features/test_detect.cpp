@@ -159,7 +159,7 @@ TEST_CASE("a whole arch: one group a tooth, in order, looking up") {
     }
 }
 
-TEST_CASE("any pose, mirrored, inside out") {
+TEST_CASE("any pose, mirrored, inside out" * doctest::test_suite("many arches")) {
   const Surface s = whole.surface();
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
@@ -191,7 +191,7 @@ TEST_CASE("a gap, half an arch, a single tooth") {
   check_groups(single, find(single.surface()));
 }
 
-TEST_CASE("resolution and order of the faces do not matter") {
+TEST_CASE("resolution and order of the faces do not matter" * doctest::test_suite("many arches")) {
   Row fine = whole;
   fine.spacing = 0.2;
   check_groups(fine, find(fine.surface()));

@@ -104,16 +104,17 @@ TEST_CASE("severely crowded: one tooth before the other, which no line across th
     }
 }
 
-TEST_CASE("synthetic arches with missing teeth") {
+TEST_CASE("synthetic arches with missing teeth" * doctest::test_suite("many arches")) {
   check(make(TSA_JAW_UPPER, 0.2, 4, {12, 16, 25}, 0));
   check(make(TSA_JAW_LOWER, 0.2, 5, {31, 46}, 0));
 }
 
-TEST_CASE("a synthetic arch on a plaster base") {
+TEST_CASE("a synthetic arch on a plaster base" * doctest::test_suite("many arches")) {
   check(make(TSA_JAW_UPPER, 0, 3, {}, 1));
 }
 
-TEST_CASE("the features of a turned or mirrored arch are the turned or mirrored features") {
+TEST_CASE("the features of a turned or mirrored arch are the turned or mirrored features" *
+          doctest::test_suite("many arches")) {
   const Arch arch = make(TSA_JAW_UPPER, 0.2, 4, {16}, 0);
   const features::Features before = features::detect(arch.surface, {}, Executor(1), {});
   Eigen::Matrix3d turn =
