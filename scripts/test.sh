@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, reads the source for faults, builds, and runs all tests: the release build, then what the
-# sanitizers see (AddressSanitizer with UndefinedBehaviorSanitizer; a minute of each fuzzer; ThreadSanitizer).
+# sanitizers see (AddressSanitizer with UndefinedBehaviorSanitizer; twenty seconds of each fuzzer; ThreadSanitizer).
 # TS_TEST_SANITIZED=0 leaves the sanitizers out, TS_TEST_WEB=0 what needs Emscripten and Chromium, which is done where they are.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -35,8 +35,8 @@ fi
 if [ "${TS_TEST_SANITIZED:-1}" = 1 ]; then
   part "AddressSanitizer and UndefinedBehaviorSanitizer"
   run asan
-  part "fuzzers, a minute each"
-  scripts/fuzz.sh all 60
+  part "fuzzers, twenty seconds each"
+  scripts/fuzz.sh all 20
   part "ThreadSanitizer"
   scripts/tsan.sh
 fi
