@@ -18,6 +18,7 @@
 #include <string>
 #include <thread>
 
+#include "arch.h"
 #include "check.h"
 #include "soak_session.h"
 
@@ -64,19 +65,8 @@ Scan arch(std::uint32_t jaw, std::uint32_t triangles, std::uint64_t seed, double
   tsa_options o;
   HOLDS(tsa_options_init(&o, sizeof o) == TSA_OK);
   o.jaw = jaw, o.triangles = triangles, o.seed = seed, o.crowding = crowding;
-  tsa_arch *made = nullptr;
-  HOLDS(tsa_create(&o, &made) == TSA_OK);
-  Scan s;
-  s.xyz = check::all<double>([&](double *p, std::uint32_t n,
-                                 std::uint32_t *c) { return static_cast<ts_status>(tsa_get_positions(made, p, n, c)); },
-                             3);
-  s.triangles = check::all<std::uint32_t>(
-      [&](std::uint32_t *p, std::uint32_t n, std::uint32_t *c) {
-        return static_cast<ts_status>(tsa_get_triangles(made, p, n, c));
-      },
-      3);
-  tsa_destroy(made);
-  return s;
+  Mesh m = arch_mesh(o);
+  return {std::move(m.xyz), std::move(m.triangles)};
 }
 
 // ------------------------------------------------------------------------------------------------------------ rounds
