@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -51,6 +52,19 @@ inline mesh::Vec3 point_of(const double *p, const char *name) {
   for (int k = 0; k < 3; ++k)
     if (!std::isfinite(p[k])) throw Error(Fault::invalid_argument, std::string(name) + " is not finite");
   return {p[0], p[1], p[2]};
+}
+
+// The number of an enumeration that comes from the caller: in C it may be any, of which C++ may not load every one as an E.
+template <class E>
+uint32_t caller_number(const E &value) {
+  return std::bit_cast<uint32_t>(value);
+}
+
+// For enumerations whose values are 0 to `last`.
+template <class E>
+void need_value(const E &value, E last, const char *name) {
+  if (caller_number(value) > caller_number(last))
+    throw Error(Fault::invalid_argument, std::string(name) + " is " + std::to_string(caller_number(value)));
 }
 
 // The sizes that a public struct has had, oldest first; the last is today's. A struct that grows adds a line here.

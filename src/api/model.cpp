@@ -26,8 +26,7 @@ ts_intake_options default_intake_options() {
 
 mesh::IntakeOptions intake_options(const ts_intake_options *options) {
   const ts_intake_options o = read_options(options, default_intake_options(), "ts_intake_options");
-  if (static_cast<uint32_t>(o.unit) > TS_UNIT_INCH)
-    throw Error(Fault::invalid_argument, "unit is " + std::to_string(o.unit));
+  need_value(o.unit, TS_UNIT_INCH, "unit");
   if (!(o.weld_tolerance >= 0 && o.weld_tolerance <= 1))
     throw Error(Fault::invalid_argument,
                 "weld_tolerance is " + std::to_string(o.weld_tolerance) + ", must be 0 to 1 mm");
@@ -35,8 +34,7 @@ mesh::IntakeOptions intake_options(const ts_intake_options *options) {
 }
 
 mesh::RawMesh raw_from(const ts_mesh_input &in) {
-  if (static_cast<uint32_t>(in.scalar) > TS_FLOAT64)
-    throw Error(Fault::invalid_argument, "scalar is " + std::to_string(in.scalar));
+  need_value(in.scalar, TS_FLOAT64, "scalar");
   if (in.vertex_count == 0 || (in.triangles && in.triangle_count == 0))
     throw Error(Fault::mesh_empty, "the mesh has no " + std::string(in.vertex_count ? "faces" : "vertices"));
   need(in.positions, "positions");
@@ -115,8 +113,7 @@ ts_status ts_model_read(ts_context *context, const void *bytes, size_t size, ts_
                         const ts_intake_options *options, ts_job *job, ts_model **out) {
   return guarded(__func__, [&] {
     if (size) need(bytes, "bytes");
-    if (static_cast<uint32_t>(format) > TS_FORMAT_OFF)
-      throw Error(Fault::invalid_argument, "format is " + std::to_string(format));
+    need_value(format, TS_FORMAT_OFF, "format");
     make(context, options, job, out, [&](const ts::Progress &progress) {
       return ts::mesh::read_mesh({static_cast<const std::byte *>(bytes), size}, static_cast<ts::mesh::Format>(format),
                                  progress);

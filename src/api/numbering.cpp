@@ -29,8 +29,7 @@ ts_number_options public_number_options(const NumberOptions &o) {
 
 NumberOptions inner_number_options(const ts_number_options &o) {
   NumberOptions n;
-  if (o.jaw != TS_JAW_UNKNOWN && o.jaw != TS_JAW_UPPER && o.jaw != TS_JAW_LOWER)
-    throw Error(Fault::invalid_argument, "jaw is " + std::to_string(o.jaw));
+  need_value(o.jaw, TS_JAW_LOWER, "jaw");
   if (o.mirrored > 1) throw Error(Fault::invalid_argument, "mirrored is " + std::to_string(o.mirrored));
   if (!(o.least_confidence >= 0 && o.least_confidence <= 1))
     throw Error(Fault::invalid_argument, "least_confidence is not between 0 and 1");

@@ -55,16 +55,12 @@ ts_segment_options public_options(ts_preset preset) {
   return o;
 }
 
-void check_enum(uint32_t value, uint32_t last, const char *name) {
-  if (value > last) throw Error(Fault::invalid_argument, std::string(name) + " is " + std::to_string(value));
-}
-
 tooth::Options inner_options(const ts_segment_options &o) {
-  check_enum(o.preset, TS_PRESET_PAPER, "preset");
-  check_enum(o.weights, TS_WEIGHTS_FEATURE, "weights");
-  check_enum(o.background, TS_BACKGROUND_ALL, "background");
-  check_enum(o.cut_rule, TS_CUT_HALF, "cut_rule");
-  check_enum(o.reject_outliers, 1, "reject_outliers");
+  need_value(o.preset, TS_PRESET_PAPER, "preset");
+  need_value(o.weights, TS_WEIGHTS_FEATURE, "weights");
+  need_value(o.background, TS_BACKGROUND_ALL, "background");
+  need_value(o.cut_rule, TS_CUT_HALF, "cut_rule");
+  need_value(o.reject_outliers, 1U, "reject_outliers");
   tooth::Options d = o.preset == TS_PRESET_PAPER ? tooth::paper_options() : tooth::default_options();
   d.weights = static_cast<field::Scheme>(o.weights);
   d.background = static_cast<tooth::Background>(o.background);
@@ -99,7 +95,7 @@ tooth::Options inner_options(const ts_segment_options &o) {
 ts_status ts_segment_options_init(ts_segment_options *options, uint32_t struct_size, ts_preset preset) {
   return guarded(__func__, [&] {
     need(options, "options");
-    check_enum(static_cast<uint32_t>(preset), TS_PRESET_PAPER, "preset");
+    need_value(preset, TS_PRESET_PAPER, "preset");
     write_struct(options, public_options(preset), struct_size, "ts_segment_options");
   });
 }

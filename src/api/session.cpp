@@ -113,13 +113,17 @@ ts_status ts_tooth_merge(ts_segmentation *segmentation, uint32_t tooth, uint32_t
 }
 
 ts_status ts_tooth_remove(ts_segmentation *segmentation, uint32_t tooth) {
-  return guarded(__func__, [&] { change(*segmentation, {Act::remove, group_of(segmentation, tooth)}); });
+  return guarded(__func__, [&] {
+    const Index group = group_of(segmentation, tooth);
+    change(*segmentation, {Act::remove, group});
+  });
 }
 
 ts_status ts_tooth_set_locked(ts_segmentation *segmentation, uint32_t tooth, uint32_t locked) {
   return guarded(__func__, [&] {
     if (locked > 1) throw Error(Fault::invalid_argument, "locked is " + std::to_string(locked) + ", not 0 or 1");
-    change(*segmentation, {locked ? Act::lock : Act::unlock, group_of(segmentation, tooth)});
+    const Index group = group_of(segmentation, tooth);
+    change(*segmentation, {locked ? Act::lock : Act::unlock, group});
   });
 }
 

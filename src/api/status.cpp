@@ -74,7 +74,7 @@ const char *ts_last_error_message(void) {
 const char *ts_status_name(ts_status status) {
 #define TS_NAME(s) \
   case s: return #s
-  switch (status) {
+  switch (ts::api::caller_number(status)) {
     TS_NAME(TS_OK);
     TS_NAME(TS_E_INVALID_ARGUMENT);
     TS_NAME(TS_E_NULL);

@@ -66,8 +66,7 @@ void need_switch(uint32_t value, const char *name) {
 }
 
 mesh::OutputFormat inner_format(ts_output_format format) {
-  if (static_cast<uint32_t>(format) > TS_OUTPUT_GLB)
-    throw Error(Fault::invalid_argument, "format is " + std::to_string(format));
+  need_value(format, TS_OUTPUT_GLB, "format");
   return static_cast<mesh::OutputFormat>(format);
 }
 
