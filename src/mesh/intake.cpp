@@ -45,6 +45,14 @@ void count_vertices(std::span<const Index> kept, std::span<const Index> number, 
   }
 }
 
+// The caller's faces of which a triangle was turned round; `source`: a triangle's face, ascending.
+Index flipped_faces(std::span<const std::uint8_t> flipped, std::span<const Index> source) {
+  Index count = 0, last = none;
+  for (std::size_t t = 0; t < flipped.size(); ++t)
+    if (flipped[t] && source[t] != last) last = source[t], ++count;
+  return count;
+}
+
 void describe(const Surface &s, IntakeReport &report) {
   report.vertices = static_cast<Index>(s.vertices());
   report.faces = static_cast<Index>(s.faces());
@@ -94,7 +102,7 @@ Model make_model(RawMesh raw, const IntakeOptions &options, const Executor &exec
 
   Manifold manifold = make_manifold(position, std::move(clean.triangle), std::move(clean.around), executor);
   for (const Index v : manifold.copy_of) position.push_back(Vec3(position[v]));
-  report.flipped_faces = manifold.flipped;
+  report.flipped_faces = flipped_faces(manifold.flipped, model.face_source);
   report.non_manifold_edges = manifold.non_manifold_edges;
   report.non_manifold_vertices = manifold.non_manifold_vertices;
   report.unorientable_edges = manifold.unorientable_edges;

@@ -47,7 +47,7 @@ class Repair {
       flip = orient();
     }
     cut_misfits(flip);
-    apply(flip);
+    apply(std::move(flip));
     split();
     for (bool again = true; come_apart(again); again = false) split();
     return std::move(out_);
@@ -72,7 +72,7 @@ class Repair {
   double bend(const Edge &ends, Index h, Index g) const;
   void pair_smoothest(const Shared &s, std::span<const std::uint8_t> flip);
   void cut_misfits(std::span<const std::uint8_t> flip);
-  void apply(std::span<const std::uint8_t> flip);
+  void apply(Vec<std::uint8_t> flip);
   void split();
   bool come_apart(bool first_time);
   bool pair_otherwise(std::span<const Side> sides);
@@ -210,9 +210,8 @@ void Repair::cut_misfits(std::span<const std::uint8_t> flip) {
   }
 }
 
-void Repair::apply(std::span<const std::uint8_t> flip) {
-  for (const std::uint8_t f : flip) out_.flipped += f;
-  if (out_.flipped == 0) return;
+void Repair::apply(Vec<std::uint8_t> flip) {
+  if (std::ranges::find(flip, 1) == flip.end()) return;
   // a b c becomes a c b: side k of it becomes side 2 - k.
   const auto moved = [&](Index h) { return flip[face_of(h)] ? h + 2 - 2 * (h % 3) : h; };
   Vec<Index> twin(twin_.size(), none);
@@ -223,6 +222,7 @@ void Repair::apply(std::span<const std::uint8_t> flip) {
     for (Index &h : s.side) h = moved(h);
   for (std::size_t f = 0; f < flip.size(); ++f)
     if (flip[f]) std::swap(triangle_[f][1], triangle_[f][2]);
+  out_.flipped = std::move(flip);
 }
 
 // Gives each fan of faces a vertex of its own; the first keeps the number.
