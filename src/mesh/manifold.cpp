@@ -264,6 +264,10 @@ bool Repair::come_apart(bool first_time) {
   for (const Shared &s : shared_)
     for (const Index h : s.side) group.push_back({corner_vertices(h), h});
   std::sort(group.begin(), group.end());
+  // One that cut_misfits cut is listed twice where more than two met there before.
+  group.erase(
+      std::unique(group.begin(), group.end(), [](const Side &a, const Side &b) { return a.halfedge == b.halfedge; }),
+      group.end());
   for (std::size_t i = 0, j = 0; i < group.size(); i = j) {
     while (j < group.size() && group[j].ends == group[i].ends) ++j;
     if (j - i > 2 || (j - i == 2 && twin_[group[i].halfedge] != group[i + 1].halfedge))

@@ -80,8 +80,8 @@ TEST_CASE("a polygon that crosses itself gives some triangles and no trouble") {
 
 // Found by the fuzzer of OBJ files.
 TEST_CASE("a polygon is one face, however many of its triangles were turned round") {
-  const Model m = model_of(polygons(
-      {{3, -3, 0.6}, {6, -6, 0}, {0, -6, 0}, {3, -3, 957.3}, {6, 0, 3}, {3, 0, 3}}, {{0, 1, 2, 0, 3, 4, 5}}));
+  const Model m = model_of(
+      polygons({{3, -3, 0.6}, {6, -6, 0}, {0, -6, 0}, {3, -3, 957.3}, {6, 0, 3}, {3, 0, 3}}, {{0, 1, 2, 0, 3, 4, 5}}));
   check_promises(m);
   CHECK(m.report.faces > 2);
   CHECK(m.report.flipped_faces == 1);

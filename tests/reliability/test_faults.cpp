@@ -1,10 +1,11 @@
 // Every allocation fails once: of every public function, first those of the context's allocator, then all of the C
 // heap. The call says TS_E_OUT_OF_MEMORY, nothing has changed, nothing leaks, and the same call works afterwards.
-//   test_faults FOLDER [CALL]
+//   test_faults FOLDER [--quick | CALL]: --quick takes ever rarer ones: all of the first 200, then one in each half percent.
 //   test_faults FOLDER --triangles N --sampled COUNT: some allocations of each long call, on a larger mesh.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -412,6 +413,7 @@ std::vector<Call> calls(const std::string &folder) {
 }
 
 int passed = 0, failed = 0;
+long all_up_to = LONG_MAX;  // allocations of a call; later ones ever rarer
 bool good(bool condition, const Call &call, const char *memory, long n, long whole, const char *what) {
   ++(condition ? passed : failed);
   if (!condition)
@@ -436,8 +438,7 @@ void each_allocation_fails(Scene &s, const Hook &hook, const Call &call, const c
   }
   const std::string before = s.state();
   const long live = hook.live;
-  // All of them; where a sanitizer has the heap, and all takes ten times as long, ever rarer ones.
-  for (long n = 1; n <= whole; n += heap::can_fail ? 1 : 1 + n / 8) {
+  for (long n = 1; n <= whole; n += 1 + n / all_up_to) {
     fail_at(n);
     const ts_status got = call.run(s);
     fail_at(0);
@@ -465,15 +466,20 @@ int main(int argc, char **argv) {
   if (argc == 6 && !std::strcmp(argv[2], "--triangles") && !std::strcmp(argv[4], "--sampled"))
     return sampled_faults(argv[1], static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)), std::atoi(argv[5]));
   if (argc < 2 || argc > 3)
-    return std::fprintf(stderr, "usage: test_faults FOLDER [CALL] | FOLDER --triangles N --sampled COUNT\n"), 2;
+    return std::fprintf(stderr, "usage: test_faults FOLDER [--quick | CALL] | FOLDER --triangles N --sampled COUNT\n"), 2;
   static Hook hook;
   const std::vector<Call> all = calls(argv[1]);
   Scene s(hook);
   HOLDS(ts_segmentation_save(s.segmentation.get(), (std::string(argv[1]) + "/faults.ply").c_str(), TS_OUTPUT_PLY,
                              nullptr, nullptr) == TS_OK);
   HOLDS(ts_session_save(s.segmentation.get(), (std::string(argv[1]) + "/faults.json").c_str()) == TS_OK);
+  const char *only = argc > 2 ? argv[2] : nullptr;
+  if (only && !std::strcmp(only, "--quick")) {
+    only = nullptr;
+    all_up_to = heap::can_fail ? 200 : 8;  // where a sanitizer has the heap, all takes ten times as long
+  }
   for (const Call &call : all) {
-    if (argc > 2 && std::strcmp(call.name, argv[2]) != 0) continue;
+    if (only && std::strcmp(call.name, only) != 0) continue;
     each_allocation_fails(
         s, hook, call, "hook", [&] { return hook.taken; }, [&](long n) { hook.fails_at = n ? hook.taken + n : 0; });
     if (heap::can_fail) each_allocation_fails(s, hook, call, "C heap", heap::taken, heap::fail_at);
