@@ -54,7 +54,8 @@ inline mesh::Vec3 point_of(const double *p, const char *name) {
   return {p[0], p[1], p[2]};
 }
 
-// The number of an enumeration that comes from the caller: in C it may be any, of which C++ may not load every one as an E.
+// The number of an enumeration that comes from the caller: in C it may be any, of which C++ may not load every one as
+// an E.
 template <class E>
 uint32_t caller_number(const E &value) {
   return std::bit_cast<uint32_t>(value);

@@ -9,9 +9,9 @@
 namespace ts::mesh {
 
 struct Manifold {
-  Vec<Triangle> triangle;  // the same faces in the same order
-  Vec<Index> copy_of;      // vertices appended to the given ones: what each is a copy of
-  Links links;             // what is known of them: all of a mesh without any fault, else some or nothing
+  Vec<Triangle> triangle;     // the same faces in the same order
+  Vec<Index> copy_of;         // vertices appended to the given ones: what each is a copy of
+  Links links;                // what is known of them: all of a mesh without any fault, else some or nothing
   Vec<std::uint8_t> flipped;  // of each triangle, 1 if it was turned round; nothing if none was
   Index non_manifold_edges = 0, non_manifold_vertices = 0, unorientable_edges = 0;
 };

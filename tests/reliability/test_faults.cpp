@@ -1,7 +1,7 @@
 // Every allocation fails once: of every public function, first those of the context's allocator, then all of the C
 // heap. The call says TS_E_OUT_OF_MEMORY, nothing has changed, nothing leaks, and the same call works afterwards.
-//   test_faults FOLDER [--quick | CALL]: --quick takes ever rarer ones: all of the first 200, then one in each half percent.
-//   test_faults FOLDER --triangles N --sampled COUNT: some allocations of each long call, on a larger mesh.
+//   test_faults FOLDER [--quick | CALL]: --quick takes ever rarer ones: all of the first 200, then one in each half
+//   percent. test_faults FOLDER --triangles N --sampled COUNT: some allocations of each long call, on a larger mesh.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
@@ -466,7 +466,8 @@ int main(int argc, char **argv) {
   if (argc == 6 && !std::strcmp(argv[2], "--triangles") && !std::strcmp(argv[4], "--sampled"))
     return sampled_faults(argv[1], static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)), std::atoi(argv[5]));
   if (argc < 2 || argc > 3)
-    return std::fprintf(stderr, "usage: test_faults FOLDER [--quick | CALL] | FOLDER --triangles N --sampled COUNT\n"), 2;
+    return std::fprintf(stderr, "usage: test_faults FOLDER [--quick | CALL] | FOLDER --triangles N --sampled COUNT\n"),
+           2;
   static Hook hook;
   const std::vector<Call> all = calls(argv[1]);
   Scene s(hook);

@@ -19,7 +19,12 @@
 
 namespace {
 
-Mesh arch_of(std::mt19937_64 &random) {
+struct Arch {
+  Mesh mesh;
+  std::size_t teeth;
+};
+
+Arch arch_of(std::mt19937_64 &random) {
   const auto share = [&] { return std::uniform_real_distribution<double>()(random); };
   const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
   tsa_options o;
@@ -35,7 +40,7 @@ Mesh arch_of(std::mt19937_64 &random) {
     if (std::find(missing.begin(), missing.end(), fdi) == missing.end()) missing.push_back(fdi);
   }
   o.missing = missing.data(), o.missing_count = static_cast<std::uint32_t>(missing.size());
-  return arch_mesh(o);
+  return {arch_mesh(o), 14 - missing.size()};
 }
 
 // A label a face, of all teeth that are found; the checks of any result are made on the way.
@@ -62,9 +67,6 @@ std::vector<std::uint32_t> labels_of(ts_context *context, const Mesh &mesh, ts_u
   check::segmentation(model.get(), s.get(), deep);
   auto labels = check::all<std::uint32_t>(
       [&](std::uint32_t *p, std::uint32_t n, std::uint32_t *c) { return ts_get_labels(s.get(), p, n, c); });
-  // An arch has 14 teeth less the missing ones; what is compared must not be nothing.
-  const std::set<std::uint32_t> found(labels.begin(), labels.end());
-  HOLDS(found.size() > 10);
   return labels;
 }
 
@@ -79,6 +81,12 @@ double differing(const std::vector<std::uint32_t> &a, const std::vector<std::uin
   std::size_t other = 0;
   for (std::size_t f = 0; f < a.size(); ++f) other += best[a[f]].second != b[f];
   return static_cast<double>(other) / static_cast<double>(a.size());
+}
+
+std::size_t teeth_in(const std::vector<std::uint32_t> &labels) {
+  std::set<std::uint32_t> found(labels.begin(), labels.end());
+  found.erase(0);
+  return found.size();
 }
 
 using Matrix = std::array<double, 9>;
@@ -180,23 +188,30 @@ int main(int argc, char **argv) {
          return back;
        }},
   };
-  int passed = 0, failed = 0;
+  int passed = 0, failed = 0, fewest = 0;
   for (int k = 0; k < arches; ++k) {
     std::mt19937_64 random(first + static_cast<unsigned long>(k));
-    const Mesh mesh = arch_of(random);
+    const auto [mesh, teeth] = arch_of(random);
     const auto labels = labels_of(context.get(), mesh, TS_UNIT_MM, k % 3 == 0);
-    ++passed;
+    // What is compared must not be nothing.
+    const std::size_t found = teeth_in(labels);
+    fewest = std::min(fewest, static_cast<int>(found) - static_cast<int>(teeth));
+    ++(2 * found > teeth ? passed : failed);
+    if (found + 2 < teeth)
+      std::printf("seed %lu: %zu of %zu teeth found\n", first + static_cast<unsigned long>(k), found, teeth);
     for (Change &c : changes) {
-      const double share = differing(labels, c.labels(mesh, random));
+      const auto changed = c.labels(mesh, random);
+      const double share = differing(labels, changed);
       c.worst = std::max(c.worst, share);
       ++(share <= c.allowed ? passed : failed);
       if (share > c.allowed)
-        std::printf("seed %lu, %s: %.3g of the faces differ, %.3g may\n", first + static_cast<unsigned long>(k), c.name,
-                    share, c.allowed);
+        std::printf("seed %lu, %s: %.3g of the faces differ, %.3g may; %zu teeth, then %zu\n",
+                    first + static_cast<unsigned long>(k), c.name, share, c.allowed, found, teeth_in(changed));
     }
     if ((k + 1) % 50 == 0) std::fprintf(stderr, "%d arches, %d failures\n", k + 1, failed);
   }
   for (const Change &c : changes) std::printf("%-28s worst share %.2g, allowed %.2g\n", c.name, c.worst, c.allowed);
-  std::printf("%d passed, %d failed\n", passed, failed);
+  std::printf("teeth that an arch has and that were not found: at most %d\n%d passed, %d failed\n", -fewest, passed,
+              failed);
   return failed != 0;
 }
