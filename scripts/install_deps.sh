@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: `install_deps.sh build|demo|test|web|lint|fuzz|bench|study`. Nothing is asked of the network
+# Installs the Debian packages that are missing: `install_deps.sh build|demo|test|web|lint|fuzz|coverage|bench|study`. Nothing is asked of the network
 # when all are there. As root or through sudo.
 set -euo pipefail
 what=${1:-build}
@@ -17,9 +17,10 @@ case $what in
     command -v node >/dev/null && command -v npm >/dev/null || packages="$packages nodejs npm" ;;
   lint) packages="$packages python3 clang-format-14 clang-tidy-14 cppcheck" ;;
   fuzz) packages="$packages clang-14 libclang-rt-14-dev" ;;
+  coverage) packages="$packages clang-14 libclang-rt-14-dev llvm-14 doctest-dev libopenmesh-dev" ;;
   bench) packages="$packages libsuitesparse-dev libopenblas-dev" ;;
   study) packages="$packages python3 python3-numpy python3-scipy python3-matplotlib python3-pil fonts-dejavu-core libcgal-dev libopenmesh-dev" ;;
-  *) echo "install_deps.sh: build, demo, test, web, lint, fuzz, bench or study, not $what" >&2; exit 2 ;;
+  *) echo "install_deps.sh: build, demo, test, web, lint, fuzz, coverage, bench or study, not $what" >&2; exit 2 ;;
 esac
 command -v dpkg-query >/dev/null || { echo "install_deps.sh: needs Debian's packages: $packages" >&2; exit 1; }
 missing=""
