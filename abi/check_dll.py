@@ -10,7 +10,7 @@ import sys
 
 import make_def
 
-# Of Windows itself, in any edition since Windows 7; msvcrt.dll is the C library that MinGW-w64 builds for.
+# Of Windows itself; msvcrt.dll is the C library that MinGW-w64 builds for.
 SYSTEM = {"kernel32.dll", "msvcrt.dll", "advapi32.dll", "user32.dll", "ntdll.dll", "shell32.dll", "bcrypt.dll"}
 
 
