@@ -49,7 +49,7 @@ check "its labels are ts-segment's" bash -c 'cmp <(tr -d "\r" <clicks.txt) <(tr 
 check "no scan is a complaint" fails wine segment_arch.exe none.ply
 check "hello_tooth" wine hello_tooth.exe "$scan"
 check "floating-point exceptions masked" wine unmasked.exe "$scan" masked
-wine test_toothseg.exe "$scan" "$labels" small.ply "$(wine winepath -w "$work/" 2>/dev/null | tr -d '\r')" >results 2>&1
+timeout 300 wine test_toothseg.exe "$scan" "$labels" small.ply "$(wine winepath -w "$work/" 2>/dev/null | tr -d '\r')" >results 2>&1
 result=$?
 sed '$d' results
 last=$(tail -n 1 results | tr -d '\r')
