@@ -18,6 +18,7 @@ reference=$abi/reference/toothseg-$(major_of "$root")
 
 "$python" "$abi/describe.py"
 "$python" "$abi/make_layout.py"
+"$python" "$abi/make_def.py"
 if [ -e "$reference.json" ] && [ $replace = 0 ]; then
   "$abi/check.sh" "$lib" || { echo "store.sh: nothing is stored"; exit 1; }
 fi
@@ -32,5 +33,6 @@ mkdir -p "$abi/reference" "$abi/history/$version"
 for kind in abi symbols defaults json; do
   cp "$work/$kind" "$reference.$kind"
 done
+sed '1s/.*/; What the last release of toothseg.dll exports: kept by store.sh. SPDX-License-Identifier: Apache-2.0/' "$abi/toothseg.def" >"$reference.def"
 cp "$include/toothseg.h" "$abi/history/$version/toothseg.h"
 echo "stored $version as $reference.*, its header in abi/history/$version: look at the difference, and see abi/README.md for the rest"

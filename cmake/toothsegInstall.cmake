@@ -15,9 +15,13 @@ function(toothseg_install libdir export runtime dev)
   foreach(library toothseg_shared toothseg_static toothseg_arch)
     if(TARGET ${library})
       install(TARGETS ${library} EXPORT ${export}
-        LIBRARY DESTINATION ${libdir} ${runtime} ${namelink} ARCHIVE DESTINATION ${libdir} ${dev})
+        LIBRARY DESTINATION ${libdir} ${runtime} ${namelink} ARCHIVE DESTINATION ${libdir} ${dev}
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ${runtime})
     endif()
   endforeach()
+  if(WIN32 AND TARGET toothseg_shared)
+    install(FILES ${PROJECT_BINARY_DIR}/src/api/toothseg.lib ${PROJECT_SOURCE_DIR}/abi/toothseg.def DESTINATION ${libdir} ${dev})
+  endif()
   install(EXPORT ${export} FILE toothsegTargets.cmake NAMESPACE toothseg:: DESTINATION ${config} ${dev})
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/toothsegConfig.cmake.in ${made}/toothsegConfig.cmake
     INSTALL_DESTINATION ${config})

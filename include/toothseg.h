@@ -33,6 +33,8 @@
  *                struct as the caller knows it, then changed where wanted. They only ever grow at the end. A NULL
  *                options pointer means: as initialised.
  *   Results      The same input gives the same bytes, whatever the number of threads.
+ *   Windows      The calling convention, of callbacks too, is the one of 64-bit Windows, which __cdecl names. No type here depends
+ *                on the size of long. Names of files are UTF-8, whatever the code page.
  *   Paper        "Interactive Tooth Separation from Dental Model Using Segmentation Field", Li & Wang, PLOS ONE 2016,
  *                doi 10.1371/journal.pone.0161159. Eq., Fig. and Table below are its.
  *

@@ -6,6 +6,7 @@ cd "$(dirname "$0")/.."
 python=/usr/bin/python3 # which has libclang
 $python abi/describe.py
 $python abi/make_layout.py
+$python abi/make_def.py
 for binding in python rust pascal csharp; do
   [ ! -f bindings/$binding/generate.py ] || $python bindings/$binding/generate.py
 done

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing: `install_deps.sh build|demo|test|web|lint|fuzz|coverage|bench|study`. Nothing is asked of the network
+# Installs the Debian packages that are missing: `install_deps.sh build|demo|test|web|windows|lint|fuzz|coverage|bench|study`. Nothing is asked of the network
 # when all are there. As root or through sudo.
 set -euo pipefail
 what=${1:-build}
@@ -15,12 +15,15 @@ case $what in
   # WebAssembly and the viewer, with the browser that tests it.
   web) packages="$packages emscripten chromium fonts-dejavu-core"
     command -v node >/dev/null && command -v npm >/dev/null || packages="$packages nodejs npm" ;;
+  # toothseg.dll and its tests under Wine. llvm-14 has llvm-dlltool, dpkg-dev unpacks oneTBB's source.
+  windows) packages="$packages g++-mingw-w64-x86-64-posix wine64 wine llvm-14 clang-14 dpkg-dev python3 python3-clang-14 unzip"
+    packages="$packages mono-mcs mono-runtime fp-compiler fpc-source" ;;
   lint) packages="$packages python3 clang-format-14 clang-tidy-14 cppcheck" ;;
   fuzz) packages="$packages clang-14 libclang-rt-14-dev" ;;
   coverage) packages="$packages clang-14 libclang-rt-14-dev llvm-14 doctest-dev libopenmesh-dev" ;;
   bench) packages="$packages libsuitesparse-dev libopenblas-dev" ;;
   study) packages="$packages python3 python3-numpy python3-scipy python3-matplotlib python3-pil fonts-dejavu-core libcgal-dev libopenmesh-dev" ;;
-  *) echo "install_deps.sh: build, demo, test, web, lint, fuzz, coverage, bench or study, not $what" >&2; exit 2 ;;
+  *) echo "install_deps.sh: build, demo, test, web, windows, lint, fuzz, coverage, bench or study, not $what" >&2; exit 2 ;;
 esac
 command -v dpkg-query >/dev/null || { echo "install_deps.sh: needs Debian's packages: $packages" >&2; exit 1; }
 missing=""

@@ -8,6 +8,7 @@
 
 #include "complain.h"
 #include "run.h"
+#include "utf8.h"
 
 /* The first three numbers of a line. 1: read; 0: no click here (blank, comment); -1: not numbers. */
 static int parse_line(const char *text, double xyz[3]) {
@@ -65,7 +66,7 @@ static int read_lines(FILE *file, const char *path, click **clicks, uint32_t *co
 }
 
 int clicks_read(const char *path, click **clicks, uint32_t *count) {
-  FILE *file = fopen(path, "r");
+  FILE *file = utf8_fopen(path, "r");
   int good;
   *clicks = NULL;
   *count = 0;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "toothseg_arch.h"
+#include "utf8.h"
 
 static const char usage[] =
     "usage: make-arch OUT.ply|OUT.stl|OUT.obj [options]\n"
@@ -134,7 +135,7 @@ static int close_file(FILE *f, const char *path) {
 }
 
 static FILE *open_file(const char *path) {
-  FILE *f = fopen(path, "wb");
+  FILE *f = utf8_fopen(path, "wb");
   if (!f) fprintf(stderr, "make-arch: cannot write %s: %s\n", path, strerror(errno));
   return f;
 }

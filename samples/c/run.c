@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "complain.h"
+#include "utf8.h"
 
 int complain_status(const char *where, ts_status status) {
   return complain("%s: %s: %s", where, ts_status_name(status), ts_last_error_message());
@@ -44,7 +45,7 @@ static ts_status prepare(const options *o, const ts_features *features, ts_segme
 }
 
 static int is_there(const char *path) {
-  FILE *file = path == NULL ? NULL : fopen(path, "rb");
+  FILE *file = path == NULL ? NULL : utf8_fopen(path, "rb");
   if (file == NULL) return 0;
   fclose(file);
   return 1;

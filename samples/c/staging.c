@@ -8,19 +8,16 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <sys/types.h>
 #if defined(_WIN32)
 #include <process.h>
 #define getpid _getpid
 #ifndef S_ISREG
 #define S_ISREG(mode) (((mode)&_S_IFMT) == _S_IFREG)
 #endif
-#else
-#include <unistd.h>
 #endif
 
 #include "complain.h"
+#include "utf8.h"
 
 static char *beside(const char *path, const char *what) {
   const size_t size = strlen(path) + strlen(what) + 32;
@@ -30,9 +27,9 @@ static char *beside(const char *path, const char *what) {
 }
 
 static int same_file(const char *a, const char *b) {
-  struct stat sa, sb;
+  utf8_status sa, sb;
   if (strcmp(a, b) == 0) return 1;
-  if (stat(a, &sa) != 0 || stat(b, &sb) != 0) return 0;
+  if (utf8_stat(a, &sa) != 0 || utf8_stat(b, &sb) != 0) return 0;
   return sa.st_ino != 0 && sa.st_ino == sb.st_ino && sa.st_dev == sb.st_dev;
 }
 
@@ -48,7 +45,7 @@ static int probe(staging *s, const char *path) {
   f->previous = beside(path, "previous");
   ++s->count;
   if (f->temporary == NULL || f->previous == NULL) return complain("%s: out of memory", path);
-  file = fopen(f->temporary, "wb");
+  file = utf8_fopen(f->temporary, "wb");
   if (file == NULL) return complain("%s: cannot be written: %s", path, strerror(errno));
   fclose(file);
   for (i = 0; i + 1 < s->count; ++i)
@@ -57,13 +54,13 @@ static int probe(staging *s, const char *path) {
 }
 
 static int announce(staging *s, const char *path, const char *const *inputs, int input_count) {
-  struct stat there;
+  utf8_status there;
   int i;
   if (s->count == STAGING_MOST) return complain("%s: too many outputs", path);
   for (i = 0; i < input_count; ++i)
     if (inputs[i] != NULL && same_file(path, inputs[i])) return complain("%s: both input and output", path);
   /* A rename would put a file in the place of a device or a pipe. */
-  if (stat(path, &there) == 0 && !S_ISREG(there.st_mode))
+  if (utf8_stat(path, &there) == 0 && !S_ISREG(there.st_mode))
     return complain("%s: cannot be written: not a regular file", path);
   return probe(s, path);
 }
@@ -74,7 +71,7 @@ int staging_announce(staging *s, const char *const *outputs, int output_count, c
   for (i = 0; good && i < output_count; ++i)
     if (outputs[i] != NULL) good = announce(s, outputs[i], inputs, input_count);
   for (i = 0; i < s->count; ++i)
-    if (s->files[i].temporary != NULL) remove(s->files[i].temporary);
+    if (s->files[i].temporary != NULL) utf8_remove(s->files[i].temporary);
   return good;
 }
 
@@ -89,7 +86,7 @@ static staged_file *announced(staging *s, const char *path) {
 FILE *staging_open(staging *s, const char *path) {
   staged_file *f = announced(s, path);
   if (f == NULL) return NULL;
-  f->file = fopen(f->temporary, "wb");
+  f->file = utf8_fopen(f->temporary, "wb");
   if (f->file == NULL) complain("%s: cannot be written: %s", path, strerror(errno));
   return f->file;
 }
@@ -119,20 +116,20 @@ static int finish(staged_file *f) {
 }
 
 static int place(staged_file *f) {
-  struct stat there;
+  utf8_status there;
   if (f->left_out) return 1;
-  if (stat(f->path, &there) == 0) {
-    if (rename(f->path, f->previous) != 0) return complain("%s: cannot be replaced: %s", f->path, strerror(errno));
+  if (utf8_stat(f->path, &there) == 0) {
+    if (utf8_rename(f->path, f->previous) != 0) return complain("%s: cannot be replaced: %s", f->path, strerror(errno));
     f->kept = 1;
   }
-  if (rename(f->temporary, f->path) != 0) return complain("%s: cannot be written: %s", f->path, strerror(errno));
+  if (utf8_rename(f->temporary, f->path) != 0) return complain("%s: cannot be written: %s", f->path, strerror(errno));
   f->placed = 1;
   return 1;
 }
 
 static void put_back(staged_file *f) {
-  if (f->placed) remove(f->path);
-  if (f->kept) rename(f->previous, f->path);
+  if (f->placed) utf8_remove(f->path);
+  if (f->kept) utf8_rename(f->previous, f->path);
   f->placed = f->kept = 0;
 }
 
@@ -143,7 +140,7 @@ int staging_commit(staging *s) {
   for (i = 0; i < s->count; ++i) {
     staged_file *f = &s->files[i];
     if (!good) put_back(f);
-    if (f->kept) remove(f->previous);
+    if (f->kept) utf8_remove(f->previous);
     f->kept = 0;
   }
   return good;
@@ -154,7 +151,7 @@ void staging_close(staging *s) {
   for (i = 0; i < s->count; ++i) {
     staged_file *f = &s->files[i];
     if (f->file != NULL) fclose(f->file);
-    if (!f->placed && f->temporary != NULL) remove(f->temporary);
+    if (!f->placed && f->temporary != NULL) utf8_remove(f->temporary);
     free(f->temporary);
     free(f->previous);
   }

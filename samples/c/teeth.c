@@ -9,16 +9,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#if defined(_WIN32)
-#include <direct.h>
-#define mkdir(path, mode) _mkdir(path)
-#define rmdir _rmdir
-#else
-#include <unistd.h>
-#endif
 
 #include "complain.h"
+#include "utf8.h"
 
 /* The one place where a file is named for its tooth, by its label or number; 0: the gingiva. To be freed. */
 static char *path_for(const char *directory, uint32_t label) {
@@ -49,7 +42,7 @@ static int announce(const options *o, teeth_files *files, staging *s, char *path
 
 int teeth_announce_gingiva(const options *o, teeth_files *files, staging *s) {
   if (o->teeth == NULL) return 1;
-  if (mkdir(o->teeth, 0777) == 0)
+  if (utf8_mkdir(o->teeth) == 0)
     files->made = o->teeth;
   else if (errno != EEXIST)
     return complain("%s: cannot be made: %s", o->teeth, strerror(errno));
@@ -96,7 +89,7 @@ void teeth_close(teeth_files *files) {
   uint32_t i;
   for (i = 0; i < files->count; ++i) free(files->paths[i]);
   free(files->paths);
-  if (files->made != NULL) rmdir(files->made); /* which fails where something is in it */
+  if (files->made != NULL) utf8_rmdir(files->made); /* which fails where something is in it */
   files->paths = NULL;
   files->count = 0;
 }

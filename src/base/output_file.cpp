@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/stop.h"
+#include "base/whole_file.h"
 
 namespace ts {
 namespace {
@@ -23,7 +24,7 @@ void OutputFile::fail(const std::string &why) const {
   throw Error(Fault::file_write, "'" + path_ + "' cannot be written: " + why);
 }
 
-OutputFile::OutputFile(const std::string &path) : path_(path), place_(std::u8string(path.begin(), path.end())) {
+OutputFile::OutputFile(const std::string &path) : path_(path), place_(native_path(path, Fault::file_write)) {
   std::error_code code;
   if (std::filesystem::exists(place_, code) && !std::filesystem::is_regular_file(place_, code))
     fail("not a regular file");  // a rename would put a file in the place of a device
@@ -66,7 +67,11 @@ void OutputFile::commit() {
   if (!out_) fail(reason("write error"));
   std::error_code code;
   std::filesystem::rename(temporary_, place_, code);
-  if (code) errno = code.value(), fail(reason("cannot be renamed"));
+  if (code == std::errc::not_enough_memory) throw std::bad_alloc();
+  if (code) {  // Windows' own numbers have texts in the system's language and 8-bit characters
+    const std::error_condition known = code.default_error_condition();
+    fail(known.category() == std::generic_category() ? known.message() : "cannot be renamed");
+  }
   temporary_.clear();
 }
 

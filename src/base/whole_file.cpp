@@ -23,8 +23,16 @@ void need_memory() {
 
 }  // namespace
 
+fs::path native_path(const std::string &path, Fault fault) {
+  try {
+    return {std::u8string(path.begin(), path.end())};
+  } catch (const fs::filesystem_error &) {  // what the conversion to wide characters throws
+    throw Error(fault, "the file's name is not UTF-8");
+  }
+}
+
 Vec<std::byte> read_whole_file(const std::string &path) {
-  const fs::path native(std::u8string(path.begin(), path.end()));
+  const fs::path native = native_path(path, Fault::file_open);
   std::error_code code;
   if (fs::is_directory(native, code)) throw Error(Fault::file_open, "'" + path + "' is a directory");
   errno = 0;
@@ -50,7 +58,7 @@ Vec<std::byte> read_whole_file(const std::string &path) {
 }
 
 void write_whole_file(const std::string &path, std::span<const char> bytes) {
-  const fs::path to(std::u8string(path.begin(), path.end()));
+  const fs::path to = native_path(path, Fault::file_write);
   std::error_code error;
   // What is no file, a device or a pipe, is not replaced but written to.
   const fs::file_status status = fs::status(to, error);

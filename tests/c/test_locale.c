@@ -8,6 +8,10 @@
 #include "fixture.h"
 #include "harness.h"
 
+#if !defined(COMMA_LOCALE)
+#define COMMA_LOCALE "comma" /* made by CMakeLists.txt */
+#endif
+
 static scan s;
 static const char *const names[] = {"locale.stl", "locale.ply", "locale.obj", "locale.glb", "locale.json"};
 static const ts_output_format formats[] = {TS_OUTPUT_STL, TS_OUTPUT_PLY, TS_OUTPUT_OBJ, TS_OUTPUT_GLB};
@@ -37,7 +41,7 @@ static void every_file_is_the_same(void) {
   char number[16];
   int i;
   write_all(plain);
-  REQUIRE(setlocale(LC_NUMERIC, "comma") != NULL);
+  REQUIRE(setlocale(LC_NUMERIC, COMMA_LOCALE) != NULL);
   sprintf(number, "%.1f", 1.5);
   CHECK(strcmp(number, "1,5") == 0);
   write_all(comma);

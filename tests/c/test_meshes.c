@@ -307,13 +307,6 @@ static void the_whole_scan_is_read_back(void) {
   remove("scan.obj");
 }
 
-static void old_file(const char *path) {
-  FILE *file = fopen(path, "wb");
-  if (!CHECK(file != NULL)) return;
-  fputs("old", file);
-  fclose(file);
-}
-
 static void places_that_cannot_be_written(void) {
   ts_mesh *part = make(ids[0], 0);
   CHECK_STATUS(ts_mesh_save(part, "none/such/tooth.stl", TS_OUTPUT_STL, NULL), TS_E_FILE_WRITE);
@@ -333,6 +326,15 @@ static void places_that_cannot_be_written(void) {
 #endif
   ts_mesh_destroy(part);
 }
+
+#if !defined(_WIN32)
+static void old_file(const char *path) {
+  FILE *file = fopen(path, "wb");
+  if (!CHECK(file != NULL)) return;
+  fputs("old", file);
+  fclose(file);
+}
+#endif
 
 /* A limit on the size of files stands in for the full disk. */
 static void a_disk_that_fills_up(void) {

@@ -642,7 +642,7 @@ end;
 // library's threads need both before they call back. Raises ENoThreadSupport where the program does not use cthreads.
 procedure PrepareThreads;
 var
-  Id: TThreadID;
+  Thread, Id: TThreadID; // on Windows its handle and its number, elsewhere the same
   {$IFDEF UNIX}
   Manager: TThreadManager;
   {$ENDIF}
@@ -654,8 +654,9 @@ begin
   if not Assigned(Manager.InitManager) then
     raise ENoThreadSupport.Create('callbacks need threads: cthreads has to be the first unit that the program uses');
   {$ENDIF}
-  if BeginThread(Nothing, nil, Id) <> TThreadID(0) then
-    WaitForThreadTerminate(Id, 0);
+  Thread := BeginThread(Nothing, nil, Id);
+  if Thread <> TThreadID(0) then
+    WaitForThreadTerminate(Thread, 0);
 end;
 {$ELSE}
 procedure PrepareThreads;

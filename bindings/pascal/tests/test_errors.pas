@@ -2,6 +2,7 @@
 unit test_errors;
 
 {$MODE DELPHI}
+{$IFDEF WINDOWS}{$CODEPAGE UTF8}{$ENDIF} // this file is; elsewhere that is what Free Pascal takes it for
 
 interface
 

@@ -5,7 +5,7 @@ program test_toothseg;
 {$MODE DELPHI}
 
 uses
-  cthreads, SysUtils, checks, toothseg, toothseg_api, test_errors, test_objects, test_callbacks, test_results;
+  {$IFDEF UNIX}cthreads,{$ENDIF} SysUtils, checks, toothseg, toothseg_api, test_errors, test_objects, test_callbacks, test_results;
 
 procedure TestLayout;
 begin

@@ -5,7 +5,7 @@ program unmasked;
 {$MODE DELPHI}
 
 uses
-  cthreads, SysUtils, toothseg_api, toothseg_fpu;
+  {$IFDEF UNIX}cthreads,{$ENDIF} SysUtils, toothseg_api, toothseg_fpu;
 
 var
   Fpu: TTsFpu;

@@ -1,4 +1,4 @@
-# Debian's header for Emscripten: /usr/include itself, which Debian's own file names, has the headers of another C library.
+# Debian's header for a cross build: /usr/include itself, which Debian's own file names, has the headers of another C library.
 set(nlohmann_json_VERSION 3.11)
 if(NOT EXISTS /usr/include/nlohmann/json.hpp)
   set(nlohmann_json_FOUND FALSE)
