@@ -221,10 +221,6 @@ static void a_file_that_another_has_open(void) {
     CHECK_STATUS(ts_session_save(s.segmentation, "held/file"), TS_E_FILE_WRITE);
     end(&h);
     CHECK(size_of(L"held/file") > 84);
-    harness_case("read-only");
-    CHECK(SetFileAttributesA("held/file", FILE_ATTRIBUTE_READONLY));
-    CHECK_STATUS(ts_session_save(s.segmentation, "held/file"), TS_E_FILE_WRITE);
-    CHECK(SetFileAttributesA("held/file", FILE_ATTRIBUTE_NORMAL));
   }
 #else
   {
