@@ -29,8 +29,10 @@ def run(*command):
 def project():
     """Version, options, and the packages that the library wants, as the project's own CMake files have them."""
     top = (ROOT / "CMakeLists.txt").read_text()
+    # Neither what tests need, nor CMake's own.
+    others = {"doctest", "OpenMesh", "Threads"}
     wanted = {name for file in ("CMakeLists.txt", "src/api/CMakeLists.txt")
-              for name in re.findall(r"^ *find_package\((\w+)", (ROOT / file).read_text(), re.M)} - {"doctest", "OpenMesh"}
+              for name in re.findall(r"^ *find_package\((\w+)", (ROOT / file).read_text(), re.M)} - others
     return re.search(r"VERSION ([0-9.]+) LANG", top).group(1), set(re.findall(r"^option\((\w+)", top, re.M)), wanted
 
 
