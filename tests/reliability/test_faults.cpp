@@ -1,7 +1,8 @@
 // Every allocation fails once: of every public function, first those of the context's allocator, then all of the C
 // heap. The call says TS_E_OUT_OF_MEMORY, nothing has changed, nothing leaks, and the same call works afterwards.
-//   test_faults FOLDER [--quick | CALL]: --quick takes ever rarer ones: all of the first 200, then one in each half
-//   percent. test_faults FOLDER --triangles N --sampled COUNT: some allocations of each long call, on a larger mesh.
+//   test_faults FOLDER [CALL]
+//   test_faults FOLDER --quick: ever rarer ones, all of the first 200, then one in each half percent.
+//   test_faults FOLDER --triangles N --sampled COUNT: some allocations of each long call, on a larger mesh.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
