@@ -96,14 +96,22 @@ Outcome work(std::size_t worker, const std::vector<Scan> &scans, ts_context *sha
 }
 
 // A case that is open all the while, as in a program that somebody sits before: corrections that are taken back again
-// leave it as large as it was.
+// leave it as large as it was. Each further thread makes itself a work space in each of the two pools of a
+// segmentation (field::Solver, cut::Spaces) when it first finds all in use, and leaves it there: so often the case may
+// become larger in all its life, and when that is depends on the threads. On one thread it never may.
 class OpenCase {
  public:
-  explicit OpenCase(const Scan &scan) : context_(context_on(&heap_, 2)), case_(soak_case(context_.get(), scan)) {}
+  OpenCase(const Scan &scan, std::uint32_t threads)
+      : context_(context_on(&heap_, threads)), case_(soak_case(context_.get(), scan)), rises_left_(2 * (threads - 1)) {}
   void round() {
     soak_corrections(case_.get());
     const long long bytes = heap_.bytes;
-    HOLDS(before_ == 0 || bytes == before_);
+    if (before_ != 0 && bytes != before_) {
+      std::printf("the open case: from %lld to %lld bytes; it may become larger %u times more\n", before_, bytes,
+                  rises_left_);
+      HOLDS(bytes > before_ && rises_left_ > 0);
+      --rises_left_;
+    }
     before_ = bytes;
   }
   double mib() const { return static_cast<double>(before_) / (1 << 20); }
@@ -112,6 +120,7 @@ class OpenCase {
   Heap heap_;  // has to outlive the others
   Handle<ts_context> context_;
   Handle<ts_segmentation> case_;
+  std::uint32_t rises_left_;
   long long before_ = 0;
 };
 
@@ -176,7 +185,8 @@ int main(int argc, char **argv) {
                                    arch(TSA_JAW_UPPER, 25000, 3, 0.65)};
   Heap shared_heap, own_heap;
   const auto shared = context_on(&shared_heap, 2);
-  OpenCase open(arch(TSA_JAW_LOWER, 60000, 4, 0));
+  const Scan large = arch(TSA_JAW_LOWER, 60000, 4, 0);
+  OpenCase open(large, 2), open_on_one(large, 1);
   HOLDS(shared_heap.empty());
 
   using Clock = std::chrono::steady_clock;
@@ -191,7 +201,7 @@ int main(int argc, char **argv) {
       threads.emplace_back([&, w] { outcomes[w] = work(w, scans, shared.get(), own_heap, folder.string()); });
     for (std::thread &t : threads) t.join();
     threads.clear();
-    open.round();
+    open.round(), open_on_one.round();
     if (resident.empty()) first = outcomes;
     HOLDS(outcomes == first);
     HOLDS(outcomes[0].edits > 0);
@@ -201,9 +211,9 @@ int main(int argc, char **argv) {
       printed = since();
       std::printf(
           "%7.0f s, round %zu: resident %.2f MiB, of malloc in use %.2f; hooks: %lld bytes live, %.2f MiB of the "
-          "open case, %lld allocations\n",
+          "open cases, %lld allocations\n",
           printed, resident.size(), resident.back(), in_use.back(),
-          static_cast<long long>(shared_heap.bytes + own_heap.bytes), open.mib(),
+          static_cast<long long>(shared_heap.bytes + own_heap.bytes), open.mib() + open_on_one.mib(),
           static_cast<long long>(shared_heap.taken + own_heap.taken));
     }
   }
