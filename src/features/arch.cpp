@@ -72,7 +72,8 @@ Map roughness_map(std::span<const geometry::Sample> samples, std::span<const dou
     first = false;
   }
   if (first) throw Error(Fault::no_teeth, "nothing on the occlusal side is rough enough for a tooth");
-  map.low.array() -= margin;
+  // A little more than the margin, so that the outermost samples, which make it, lie within a cell, not where two meet.
+  map.low.array() -= margin + 1e-6 * cell;
   const Vec2 size = (high - map.low).array() + margin;
   if (size.maxCoeff() / cell > widest)
     throw Error(Fault::no_teeth, "the rough parts of the surface lie too far apart for a jaw");
