@@ -102,7 +102,9 @@ Outcome work(std::size_t worker, const std::vector<Scan> &scans, ts_context *sha
 class OpenCase {
  public:
   OpenCase(const Scan &scan, std::uint32_t threads)
-      : context_(context_on(&heap_, threads)), case_(soak_case(context_.get(), scan)), may_rise_(0.05 * (threads - 1)) {}
+      : context_(context_on(&heap_, threads)),
+        case_(soak_case(context_.get(), scan)),
+        may_rise_(0.05 * (threads - 1)) {}
   void round() {
     soak_corrections(case_.get());
     const long long bytes = heap_.bytes;
