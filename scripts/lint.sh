@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Reads the source for faults: lint.sh [--quick]. Form (clang-format), the order of the rooms, cppcheck, clang-tidy; a line a step,
 # and fails on any finding. clang-tidy takes twenty seconds for what a file includes and one for the file itself: fifty are read at
-# once, as the sanitizer build compiles a dozen. --quick is for CI: clang-tidy reads src/ alone, without the analyzer's paths
-# (clang-analyzer-*); synth/ and samples/ are left out.
+# once, as the sanitizer build compiles a dozen, and the other steps go on beside it. --quick is for CI: clang-tidy reads src/ alone,
+# without the analyzer's paths (clang-analyzer-*); synth/ and samples/ are left out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 quick=0
@@ -14,14 +14,13 @@ esac
 scripts/install_deps.sh lint
 build=build/lint
 jobs=$(nproc)
-failed=0
 
-# step NAME COMMAND...: its output only where it found something.
+# step NAME COMMAND...: its output only where it found something, which $build/failed then names.
 step() {
-  local name=$1 log=$build/$1.log begin=$SECONDS said
+  local name=$1 log=$build/$1.log begin=$SECONDS said=clean
   shift
-  if "$@" >"$log" 2>&1; then said=clean; else said=FAILED failed=1; fi
-  [ $said = clean ] || cat "$log"
+  "$@" >"$log" 2>&1 || said=FAILED
+  [ $said = clean ] || { cat "$log" && echo "$name" >>"$build/failed"; }
   echo "$name: $said, $((SECONDS - begin)) s"
 }
 
@@ -69,11 +68,14 @@ tidy_samples() {
 mkdir -p "$build"
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTOOTHSEG_BUILD_TESTS=OFF -DTOOTHSEG_BUILD_BENCH=OFF \
   -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=50 >/dev/null
+rm -f "$build/failed"
+{
+  step form form
+  step rooms rooms
+  step cppcheck_c cppcheck_c
+  step cppcheck_cpp cppcheck_cpp
+} &
 options=()
-step form form
-step rooms rooms
-step cppcheck_c cppcheck_c
-step cppcheck_cpp cppcheck_cpp
 if [ $quick = 1 ]; then
   options=(--checks=-clang-analyzer-*)
   step tidy_src tidy src
@@ -82,4 +84,5 @@ else
   step tidy_synth tidy synth
   step tidy_samples tidy_samples
 fi
-exit $failed
+wait
+[ ! -e "$build/failed" ]
