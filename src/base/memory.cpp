@@ -32,9 +32,10 @@ static_assert(sizeof(Header) <= line);
 // Large blocks get pages of their own, huge ones where the system leaves that to us: a mesh of a million triangles
 // takes hundreds of megabytes and is walked along the mesh, and on small pages a third of the time goes into faults and
 // misses of the TLB. nullptr: not to be had here.
+constexpr std::size_t huge = std::size_t{2} << 20;
 void *map_block(std::size_t &bytes) {
 #ifdef TS_OWN_PAGES
-  constexpr std::size_t huge = std::size_t{2} << 20, small = std::size_t{64} << 10;
+  constexpr std::size_t small = std::size_t{64} << 10;
   // The rest of the last huge page is left out if it is the larger part of it.
   bytes = (bytes + small - 1) / small * small;
   if (bytes % huge >= huge / 2) bytes = (bytes + huge - 1) / huge * huge;
@@ -61,6 +62,18 @@ void unmap_block(void *block, std::size_t bytes) noexcept {
 #endif
 }
 
+// A huge page comes when it is first touched, and a virtual machine may take milliseconds for it. Whoever fills a buffer
+// touches all of its pages one after another, and asks nobody: here they come before, and it is asked for each. False:
+// the work is to stop.
+bool touch_block(void *block, std::size_t bytes) noexcept {
+  const Monitor *const monitor = StopScope::current();
+  for (std::size_t at = 0; monitor && at + huge <= bytes; at += huge) {
+    if (monitor->stopped()) return false;
+    static_cast<volatile char *>(block)[at] = 0;
+  }
+  return true;
+}
+
 constexpr std::size_t large = std::size_t{1} << 20;
 
 }  // namespace
@@ -74,6 +87,11 @@ void *allocate(std::size_t bytes) {
   const bool callers = hooks && hooks->alloc;
   std::size_t mapped = whole;
   void *block = callers || whole < large ? nullptr : map_block(mapped);
+  if (block && !touch_block(block, mapped)) {
+    unmap_block(block, mapped);
+    stop_if_asked();  // throws
+    block = nullptr;
+  }
   if (!block) {
     mapped = 0;
     block = callers ? hooks->alloc(whole, hooks->user) : std::malloc(whole);
