@@ -62,9 +62,9 @@ void unmap_block(void *block, std::size_t bytes) noexcept {
 #endif
 }
 
-// A huge page comes when it is first touched, and a virtual machine may take milliseconds for it. Whoever fills a buffer
-// touches all of its pages one after another, and asks nobody: here they come before, and it is asked for each. False:
-// the work is to stop.
+// A huge page comes when it is first touched, and a virtual machine may take milliseconds for it. Whoever fills a
+// buffer touches all of its pages one after another, and asks nobody: here they come before, and it is asked for each.
+// False: the work is to stop.
 bool touch_block(void *block, std::size_t bytes) noexcept {
   const Monitor *const monitor = StopScope::current();
   for (std::size_t at = 0; monitor && at + huge <= bytes; at += huge) {
