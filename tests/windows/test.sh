@@ -94,6 +94,8 @@ check "no output into a read-only folder" test ! -e /sys/labels.txt -a "$(wine "
 check "exports and needed DLLs" "$root/abi/check_dll.py" "$build/src/api/toothseg.dll"
 sed 's/ts_undo @\([0-9]*\)/ts_undo @999/' "$root/abi/toothseg.def" >"$work/other.def"
 check "another ordinal is seen" bash -c '! "$1" "$2" --def "$3"' - "$root/abi/check_dll.py" "$build/src/api/toothseg.dll" "$work/other.def"
+x87() { x86_64-w64-mingw32-objdump -d "$1" | grep -E '\s(f2xm1|fyl2xp?1?|fpatan|fptan|fsin|fcos|fsincos|fprem1?)\b'; }
+check "no function of the x87 is in it" bash -c "$(declare -f x87)"'; ! x87 "$1"' - "$build/src/api/toothseg.dll"
 check "C# names what is exported" /usr/bin/python3 "$here/csharp_names.py"
 check "header and samples by clang for MSVC's target" "$here/msvc_syntax.sh"
 timeout 900 "$here/pascal.sh" "$build" "$work/arch.ply" "$work/wine/labels.txt" >"$work/log" 2>&1
