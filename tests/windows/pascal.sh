@@ -9,20 +9,7 @@ pascal=$(cd "$(dirname "$0")/../../bindings/pascal" && pwd)
 work=$build/pascal units=$build/pascal/units
 rm -rf "$work"
 mkdir -p "$units" "$work/teeth"
-passed=0 failed=0
-
-check() { # what, command...
-  local what=$1
-  shift
-  if "$@" >"$work/log" 2>&1; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    echo "FAILED $what"
-    tail -n 20 "$work/log"
-  fi
-}
-fails() { ! "$@"; }
+. "$pascal/../../tests/support/counts.sh"
 
 # -n: without the settings for Linux.
 windows() { ppcx64 -n -Twin64 -O2 -v0e -FU"${to:-$work}" -FE"${to:-$work}" -Fu"$units" "$@"; }
@@ -50,14 +37,6 @@ check "no scan is a complaint" fails wine segment_arch.exe none.ply
 check "hello_tooth" wine hello_tooth.exe "$scan"
 check "floating-point exceptions masked" wine unmasked.exe "$scan" masked
 timeout 300 wine test_toothseg.exe "$scan" "$labels" small.ply "$(wine winepath -w "$work/" 2>/dev/null | tr -d '\r')" >results 2>&1
-result=$?
 sed '$d' results
-last=$(tail -n 1 results | tr -d '\r')
-if [[ $last =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed$ ]]; then
-  passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
-else
-  failed=$((failed + 1))
-  echo "FAILED test_toothseg ended with $result: $last"
-fi
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+add_counts test_toothseg results
+finish
