@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
- * The same bytes on every thread of a Windows program. Where a thread begins as Windows begins it, the x87 rounds to 53 bits; in
- * one that MinGW-w64's run-time library began, to 64; and a program may have set 24. No result depends on that, and the library leaves
- * it as it is. */
+ * The same bytes on every thread of a Windows program. Where a thread begins as Windows begins it, the x87 rounds to 53
+ * bits; in one that MinGW-w64's run-time library began, to 64; and a program may have set 24. No result depends on
+ * that, and the library leaves it as it is. */
 #include <stdlib.h>
 #include <string.h>
 #include <windows.h>
@@ -13,7 +13,9 @@ enum { BITS_24 = 0x007f, BITS_53 = 0x027f, BITS_64 = 0x037f };
 
 static mesh arch;
 
-static void set_word(unsigned short word) { __asm__ __volatile__("fldcw %0" : : "m"(word)); }
+static void set_word(unsigned short word) {
+  __asm__ __volatile__("fldcw %0" : : "m"(word));
+}
 static unsigned short word_now(void) {
   unsigned short word;
   __asm__ __volatile__("fnstcw %0" : "=m"(word));
