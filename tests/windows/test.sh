@@ -86,7 +86,7 @@ x87() { x86_64-w64-mingw32-objdump -d "$1" | grep -E '\s(f2xm1|fyl2xp?1?|fpatan|
 check "no function of the x87 is in it" bash -c "$(declare -f x87)"'; ! x87 "$1"' - "$build/src/api/toothseg.dll"
 check "C# names what is exported" /usr/bin/python3 "$here/csharp_names.py"
 check "header and samples by clang for MSVC's target" "$here/msvc_syntax.sh"
-timeout 900 "$here/pascal.sh" "$build" "$work/arch.ply" "$work/wine/labels.txt" >"$work/pascal.log" 2>&1
+timeout 900 "$here/pascal.sh" "$build" >"$work/pascal.log" 2>&1
 sed 's/^/Pascal: /' "$work/pascal.log"
 add_counts Pascal "$work/pascal.log"
 
