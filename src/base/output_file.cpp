@@ -1,15 +1,13 @@
 #include "base/output_file.h"
 
-#include <algorithm>
 #include <bit>
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <new>
 #include <random>
 #include <system_error>
-#include <thread>
 
+#include "base/patience.h"
 #include "base/stop.h"
 #include "base/whole_file.h"
 
@@ -19,24 +17,6 @@ namespace {
 std::string reason(const std::string &otherwise) {
   if (errno == ENOMEM) throw std::bad_alloc();                        // not the file's fault
   return errno ? std::generic_category().message(errno) : otherwise;  // unlike strerror, for any thread
-}
-
-// Windows replaces no file that is open, and one that has just been written often is, for a moment: by a virus scanner,
-// or by a thread that reads it. So it is asked again for up to a second.
-std::error_code put_in_place(const std::filesystem::path &from, const std::filesystem::path &to) {
-  std::error_code code;
-  std::filesystem::rename(from, to, code);
-#ifdef _WIN32
-  using Milliseconds = std::chrono::milliseconds;
-  Milliseconds waited{0}, next{1};
-  for (; code == std::errc::permission_denied && waited < Milliseconds(1000); waited += next) {
-    stop_if_asked();
-    std::this_thread::sleep_for(next);
-    next = std::min(2 * next, Milliseconds(32));
-    std::filesystem::rename(from, to, code);
-  }
-#endif
-  return code;
 }
 
 }  // namespace
@@ -86,7 +66,10 @@ void OutputFile::commit() {
   errno = 0;
   out_.close();
   if (!out_) fail(reason("write error"));
-  const std::error_code code = put_in_place(temporary_, place_);
+  std::error_code code;
+  std::filesystem::rename(temporary_, place_, code);
+  for (Patience open; code == std::errc::permission_denied && open.again();)
+    std::filesystem::rename(temporary_, place_, code);
   if (code == std::errc::not_enough_memory) throw std::bad_alloc();
   if (code) {  // Windows' own numbers have texts in the system's language and 8-bit characters
     const std::error_condition known = code.default_error_condition();
