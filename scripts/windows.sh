@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# toothseg for 64-bit Windows, from a clean clone on Debian 12: installs what is missing, builds toothseg.dll by MinGW-w64 (oneTBB
-# before it, from Debian's source), makes the zip and runs tests, samples and bindings under Wine. docs/windows.md says what of this
-# was run and what not.
+# toothseg for 64-bit Windows, from a clean clone on Debian 12: installs what is missing, builds toothseg.dll by MinGW-w64 (before it,
+# from Debian's sources, oneTBB and mathematical functions), makes the zip and runs tests, samples and bindings under Wine.
+# docs/windows.md says what of this was run and what not.
 #   scripts/windows.sh            all of it
 #   scripts/windows.sh --build    the library and the zip, without the tests
 # The last lines are counts, and the zip with its size.
@@ -15,6 +15,7 @@ build=$root/build/windows prefix=$root/build/windows-deps/prefix
 jobs=${TS_JOBS:-$(nproc)}
 
 scripts/windows_tbb.sh "$prefix"
+scripts/windows_libm.sh "$prefix"
 abi/make_def.py --check
 cmake --preset windows >/dev/null
 cmake --build "$build" -j "$jobs"

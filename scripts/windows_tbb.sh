@@ -8,22 +8,11 @@ prefix=$1
 [ ! -e "$prefix/lib/cmake/TBB/TBBConfig.cmake" ] || exit 0
 work=$(dirname "$prefix")/work
 rm -rf "$work"
-# The system's own lists of packages stay as they are: they may be without sources.
-mkdir -p "$work/sources" "$work/lists/partial"
-cat >"$work/sources/debian.sources" <<'S'
-Types: deb-src
-URIs: http://deb.debian.org/debian
-Suites: bookworm
-Components: main
-Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
-S
-cd "$work"
-options=(-q -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$work/sources" -o Dir::State::lists="$work/lists"
-  -o APT::Sandbox::User="$(id -un)")
+mkdir -p "$work"
 log=$work/log
 {
-  apt-get "${options[@]}" update
-  apt-get "${options[@]}" source onetbb # unpacked, with Debian's patches
+  "$root/scripts/debian_source.sh" onetbb "$work"
+  cd "$work"
   # Its memory allocator is not needed, nor what it finds out about the machine by hwloc.
   cmake -S onetbb-*/ -B build -G Ninja -DCMAKE_TOOLCHAIN_FILE="$root/cmake/mingw-w64.cmake" -DCMAKE_BUILD_TYPE=Release \
     -DBUILD_SHARED_LIBS=OFF -DTBB_TEST=OFF -DTBBMALLOC_BUILD=OFF -DTBB_STRICT=OFF -DTBB_DISABLE_HWLOC_AUTOMATIC_SEARCH=ON \

@@ -8,20 +8,8 @@ lib=$(cd "$1" && pwd) bin=$(cd "$2" && pwd) here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export LD_LIBRARY_PATH=$lib
-passed=0 failed=0
+. "$here/../../tests/support/counts.sh"
 
-check() { # what, command...
-  local what=$1
-  shift
-  if "$@" >"$work/log" 2>&1; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    echo "FAILED $what"
-    tail -n 20 "$work/log"
-  fi
-}
-fails() { ! "$@"; }
 compile() { # program, name, options...
   local source=$1 name=$2
   shift 2
@@ -94,14 +82,6 @@ check "floating-point exceptions masked" "$work/unmasked" "$work/arch.ply" maske
 check "not masked" fails "$work/unmasked" "$work/arch.ply"
 
 "$work/test_toothseg" "$work/arch.ply" "$work/labels.txt" "$work/small.ply" "$work/" >"$work/results" 2>&1
-result=$?
 sed '$d' "$work/results"
-last=$(tail -n 1 "$work/results")
-if [[ $last =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed$ ]]; then
-  passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
-else
-  failed=$((failed + 1))
-  echo "FAILED test_toothseg ended with $result: $last"
-fi
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+add_counts test_toothseg "$work/results"
+finish

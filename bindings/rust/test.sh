@@ -11,21 +11,7 @@ rustc=${RUSTC:-rustc}
 TOOTHSEG_TEST_DIR=$(mktemp -d) && export TOOTHSEG_TEST_DIR || exit 2
 trap 'rm -rf "$TOOTHSEG_TEST_DIR"' EXIT
 work=$TOOTHSEG_TEST_DIR
-passed=0
-failed=0
-
-# check NAME COMMAND...: one test.
-check() {
-  name=$1
-  shift
-  if "$@" > "$work/output" 2>&1; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    echo "FAILED: $name"
-    cat "$work/output"
-  fi
-}
+. ../../tests/support/counts.sh
 
 # The programs find the library beside them or by this; what is built here has an rpath.
 with_lib() {
@@ -101,8 +87,9 @@ check "the safe crate leads to every function" every_function_is_used
 if ! { "$cargo" test --quiet --offline --locked --jobs 1 --no-run && "$cargo" build --quiet --offline --locked --jobs 1; } \
   > "$work/build" 2>&1; then
   cat "$work/build"
-  echo "$passed passed, $((failed + 1)) failed"
-  exit 1
+  failed=$((failed + 1))
+  finish
+  exit
 fi
 if ! "$cargo" test --quiet --offline --locked --jobs 1 --tests > "$work/tests" 2>&1; then
   failed=$((failed + 1))
@@ -126,5 +113,4 @@ for document in README.md ../../docs/five-minutes-rust.md; do
   check "the code in $document is run" is_run "$document"
 done
 
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+finish

@@ -7,6 +7,7 @@
 #include <random>
 #include <system_error>
 
+#include "base/patience.h"
 #include "base/stop.h"
 #include "base/whole_file.h"
 
@@ -67,6 +68,8 @@ void OutputFile::commit() {
   if (!out_) fail(reason("write error"));
   std::error_code code;
   std::filesystem::rename(temporary_, place_, code);
+  for (Patience open; code == std::errc::permission_denied && open.again();)
+    std::filesystem::rename(temporary_, place_, code);
   if (code == std::errc::not_enough_memory) throw std::bad_alloc();
   if (code) {  // Windows' own numbers have texts in the system's language and 8-bit characters
     const std::error_condition known = code.default_error_condition();

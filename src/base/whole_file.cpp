@@ -8,6 +8,7 @@
 #include <new>
 
 #include "base/output_file.h"
+#include "base/patience.h"
 #include "base/stop.h"
 
 namespace ts {
@@ -37,6 +38,10 @@ Vec<std::byte> read_whole_file(const std::string &path) {
   if (fs::is_directory(native, code)) throw Error(Fault::file_open, "'" + path + "' is a directory");
   errno = 0;
   std::ifstream in(native, std::ios::binary);
+  for (Patience open; !in && errno == EACCES && open.again();) {
+    errno = 0;
+    in.open(native, std::ios::binary);
+  }
   if (!in) need_memory();
   if (!in) throw Error(Fault::file_open, "cannot open '" + path + "'");
   Vec<std::byte> bytes;

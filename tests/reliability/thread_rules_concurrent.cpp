@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "thread_rules.h"
 
@@ -8,8 +11,13 @@ namespace {
 
 using Index = std::uint32_t;
 
+// It is there whole at any time, but on Windows not to be opened while another thread puts it in place.
 std::string content_of(const std::string &path) {
   std::ifstream file(path, std::ios::binary);
+  for (int i = 0; i < 1000 && !file && errno == EACCES; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    file.open(path, std::ios::binary);
+  }
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -1,28 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The Pascal binding on toothseg.dll under Wine: pascal.sh BUILD SCAN LABELS. LABELS: what ts-segment made of SCAN. Debian's Free Pascal
-# compiles for Windows by itself, and has the run-time library for it as source: that is built first. WINEPREFIX and WINEPATH as
-# test.sh sets them. Last line: N passed, M failed.
+# The Pascal binding on toothseg.dll under Wine: pascal.sh BUILD. Debian's Free Pascal compiles for Windows by itself, and has the
+# run-time library for it as source: that is built first. WINEPREFIX and WINEPATH as test.sh sets them. Last line: N passed, M failed.
 set -uo pipefail
-build=$(cd "$1" && pwd) scan=$(realpath "$2") labels=$(realpath "$3")
+build=$(cd "$1" && pwd)
 pascal=$(cd "$(dirname "$0")/../../bindings/pascal" && pwd)
-work=$build/pascal units=$build/pascal/units
+work=$build/pascal units=$build/pascal/units scan=arch.ply labels=labels.txt
 rm -rf "$work"
 mkdir -p "$units" "$work/teeth"
-passed=0 failed=0
-
-check() { # what, command...
-  local what=$1
-  shift
-  if "$@" >"$work/log" 2>&1; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    echo "FAILED $what"
-    tail -n 20 "$work/log"
-  fi
-}
-fails() { ! "$@"; }
+. "$pascal/../../tests/support/counts.sh"
 
 # -n: without the settings for Linux.
 windows() { ppcx64 -n -Twin64 -O2 -v0e -FU"${to:-$work}" -FE"${to:-$work}" -Fu"$units" "$@"; }
@@ -42,7 +28,10 @@ check "compile the tests" compile -Ct -Cr -Co "$pascal/tests/test_toothseg.pas"
 check "compile unmasked" compile "$pascal/tests/unmasked.pas"
 check "compile hello_tooth" compile "$pascal/samples/hello_tooth.pas"
 check "compile segment_arch" compile "$pascal/samples/segment_arch.pas"
-wine "$build/samples/make-arch.exe" "$work/small.ply" --triangles 6000 --seed 2 >/dev/null 2>&1
+# The scans that bindings/pascal/test.sh has.
+check "arch" wine "$build/samples/make-arch.exe" "$scan" --triangles 20000 --seed 1
+check "small arch" wine "$build/samples/make-arch.exe" small.ply --triangles 6000 --seed 2
+check "ts-segment" wine "$build/samples/ts-segment.exe" "$scan" --labels "$labels"
 check "segment_arch" wine segment_arch.exe "$scan" --labels clicks.txt --teeth teeth
 # Written as text by the system's ends of lines.
 check "its labels are ts-segment's" bash -c 'cmp <(tr -d "\r" <clicks.txt) <(tr -d "\r" <"$1")' - "$labels"
@@ -50,14 +39,6 @@ check "no scan is a complaint" fails wine segment_arch.exe none.ply
 check "hello_tooth" wine hello_tooth.exe "$scan"
 check "floating-point exceptions masked" wine unmasked.exe "$scan" masked
 timeout 300 wine test_toothseg.exe "$scan" "$labels" small.ply "$(wine winepath -w "$work/" 2>/dev/null | tr -d '\r')" >results 2>&1
-result=$?
 sed '$d' results
-last=$(tail -n 1 results | tr -d '\r')
-if [[ $last =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed$ ]]; then
-  passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
-else
-  failed=$((failed + 1))
-  echo "FAILED test_toothseg ended with $result: $last"
-fi
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+add_counts test_toothseg results
+finish

@@ -12,20 +12,8 @@ linux=${TS_LINUX_SAMPLES:-$root/build/release/samples}
 work=$build/test
 rm -rf "$work"
 mkdir -p "$work" "$WINEPREFIX"
-passed=0 failed=0
-
-check() { # what, command...
-  local what=$1
-  shift
-  if "$@" >"$work/log" 2>&1; then
-    passed=$((passed + 1))
-    echo "ok    $what"
-  else
-    failed=$((failed + 1))
-    echo "FAIL  $what"
-    tail -n 30 "$work/log" | sed 's/^/      /'
-  fi
-}
+say_ok=1
+. "$root/tests/support/counts.sh"
 
 # ctest of a project that is built; its tests count one by one.
 suite() { # name, folder
@@ -94,18 +82,13 @@ check "no output into a read-only folder" test ! -e /sys/labels.txt -a "$(wine "
 check "exports and needed DLLs" "$root/abi/check_dll.py" "$build/src/api/toothseg.dll"
 sed 's/ts_undo @\([0-9]*\)/ts_undo @999/' "$root/abi/toothseg.def" >"$work/other.def"
 check "another ordinal is seen" bash -c '! "$1" "$2" --def "$3"' - "$root/abi/check_dll.py" "$build/src/api/toothseg.dll" "$work/other.def"
+x87() { x86_64-w64-mingw32-objdump -d "$1" | grep -E '\s(f2xm1|fyl2xp?1?|fpatan|fptan|fsin|fcos|fsincos|fprem1?)\b'; }
+check "no function of the x87 is in it" bash -c "$(declare -f x87)"'; ! x87 "$1"' - "$build/src/api/toothseg.dll"
 check "C# names what is exported" /usr/bin/python3 "$here/csharp_names.py"
 check "header and samples by clang for MSVC's target" "$here/msvc_syntax.sh"
-timeout 900 "$here/pascal.sh" "$build" "$work/arch.ply" "$work/wine/labels.txt" >"$work/log" 2>&1
-last=$(tail -n 1 "$work/log")
-if [[ $last =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed$ ]]; then
-  passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
-  [ "${BASH_REMATCH[2]}" = 0 ] || cat "$work/log"
-else
-  cat "$work/log"
-  failed=$((failed + 1))
-fi
-echo "Pascal: $last"
+timeout 900 "$here/pascal.sh" "$build" >"$work/pascal.log" 2>&1
+sed 's/^/Pascal: /' "$work/pascal.log"
+add_counts Pascal "$work/pascal.log"
 
 # The zip, unpacked where there is nothing else: a program is built against it, and runs.
 mkdir "$work/zip"
@@ -121,5 +104,4 @@ done
 
 /usr/bin/python3 "$here/ratio.py" "$linux/ts-segment" "$segment" "$work/arch.ply" "$work"
 exec 9>&-
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+finish
