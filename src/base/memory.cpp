@@ -29,10 +29,11 @@ struct Header {
 };
 static_assert(sizeof(Header) <= line);
 
+constexpr std::size_t huge = std::size_t{2} << 20, large = std::size_t{1} << 20;
+
 // Large blocks get pages of their own, huge ones where the system leaves that to us: a mesh of a million triangles
 // takes hundreds of megabytes and is walked along the mesh, and on small pages a third of the time goes into faults and
 // misses of the TLB. nullptr: not to be had here.
-constexpr std::size_t huge = std::size_t{2} << 20;
 void *map_block(std::size_t &bytes) {
 #ifdef TS_OWN_PAGES
   constexpr std::size_t small = std::size_t{64} << 10;
@@ -73,8 +74,6 @@ bool touch_block(void *block, std::size_t bytes) noexcept {
   }
   return true;
 }
-
-constexpr std::size_t large = std::size_t{1} << 20;
 
 }  // namespace
 
