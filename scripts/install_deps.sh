@@ -18,7 +18,7 @@ case $what in
   # toothseg.dll and its tests under Wine. llvm-14 has llvm-dlltool, dpkg-dev unpacks oneTBB's source.
   windows) packages="$packages g++-mingw-w64-x86-64-posix wine64 wine llvm-14 clang-14 dpkg-dev python3 python3-clang-14 unzip"
     packages="$packages mono-mcs mono-runtime fp-compiler fpc-source" ;;
-  lint) packages="$packages python3 clang-format-14 clang-tidy-14 cppcheck" ;;
+  lint) packages="$packages python3 clang-format-14 clang-tidy-14 libclang-14-dev cppcheck" ;;
   fuzz) packages="$packages clang-14 libclang-rt-14-dev" ;;
   coverage) packages="$packages clang-14 libclang-rt-14-dev llvm-14 doctest-dev libopenmesh-dev" ;;
   bench) packages="$packages libsuitesparse-dev libopenblas-dev" ;;
