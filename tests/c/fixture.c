@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <toothseg_arch.h>
 
 static const double pi = 3.14159265358979323846;
@@ -36,7 +37,7 @@ mesh make_arch(uint32_t triangles) {
   return make_crowded_arch(triangles, 0, 1);
 }
 
-mesh make_crowded_arch(uint32_t triangles, double crowding, uint32_t seed) {
+static mesh generated_arch(uint32_t triangles, double crowding, uint32_t seed) {
   tsa_options options;
   tsa_arch *arch = NULL;
   mesh m;
@@ -55,6 +56,61 @@ mesh make_crowded_arch(uint32_t triangles, double crowding, uint32_t seed) {
   need_arch(tsa_get_labels(arch, m.labels, m.faces, &m.faces));
   need_arch(tsa_get_teeth(arch, NULL, 0, &m.teeth));
   tsa_destroy(arch);
+  return m;
+}
+
+/* A kept arch: three counts, then the arrays as they are. One that is not whole is not taken. */
+static int read_arch(const char *path, mesh *m) {
+  FILE *file = fopen(path, "rb");
+  uint32_t counts[3];
+  int whole;
+  if (file == NULL) return 0;
+  if (fread(counts, sizeof counts, 1, file) != 1) {
+    fclose(file);
+    return 0;
+  }
+  m->vertices = counts[0];
+  m->faces = counts[1];
+  m->teeth = counts[2];
+  m->xyz = must_have(3 * sizeof *m->xyz * m->vertices);
+  m->triangles = must_have(3 * sizeof *m->triangles * m->faces);
+  m->labels = must_have(sizeof *m->labels * m->faces);
+  whole = fread(m->xyz, 3 * sizeof *m->xyz, m->vertices, file) == m->vertices &&
+          fread(m->triangles, 3 * sizeof *m->triangles, m->faces, file) == m->faces &&
+          fread(m->labels, sizeof *m->labels, m->faces, file) == m->faces && fgetc(file) == EOF;
+  fclose(file);
+  if (!whole) free_mesh(m);
+  return whole;
+}
+
+/* Written beside its place, and put there when it is whole: others may read it at any moment. */
+static void keep_arch(const char *path, const mesh *m) {
+  char beside[1100];
+  const uint32_t counts[3] = {m->vertices, m->faces, m->teeth};
+  FILE *file;
+  int whole;
+  snprintf(beside, sizeof beside, "%s.%p.%lx.%lx", path, (void *)beside, (unsigned long)time(NULL),
+           (unsigned long)clock());
+  file = fopen(beside, "wb");
+  if (file == NULL) return;
+  whole = fwrite(counts, sizeof counts, 1, file) == 1 &&
+          fwrite(m->xyz, 3 * sizeof *m->xyz, m->vertices, file) == m->vertices &&
+          fwrite(m->triangles, 3 * sizeof *m->triangles, m->faces, file) == m->faces &&
+          fwrite(m->labels, sizeof *m->labels, m->faces, file) == m->faces;
+  whole = fclose(file) == 0 && whole;
+  if (!whole || rename(beside, path) != 0) remove(beside);
+}
+
+mesh make_crowded_arch(uint32_t triangles, double crowding, uint32_t seed) {
+  const char *folder = getenv("TOOTHSEG_TEST_ARCHES");
+  char path[1000];
+  mesh m;
+  if (folder == NULL) return generated_arch(triangles, crowding, seed);
+  snprintf(path, sizeof path, "%s/%lu_%.0f_%lu", folder, (unsigned long)triangles, 1e6 * crowding, (unsigned long)seed);
+  if (!read_arch(path, &m)) {
+    m = generated_arch(triangles, crowding, seed);
+    keep_arch(path, &m);
+  }
   return m;
 }
 

@@ -13,7 +13,8 @@ typedef struct mesh {
   uint32_t teeth;   /* of an arch */
 } mesh;
 
-/* All exit the program where there is no memory or the generator fails: without them nothing can be tested. */
+/* All exit the program where there is no memory or the generator fails: without them nothing can be tested. An arch
+ * that another program of the run has made is read from the folder that TOOTHSEG_TEST_ARCHES names. */
 mesh make_arch(uint32_t triangles);
 mesh make_crowded_arch(uint32_t triangles, double crowding, uint32_t seed); /* upper */
 mesh make_sphere(double radius, uint32_t rings);                            /* around the origin, closed */
