@@ -10,6 +10,8 @@ for make_arch in "$2/samples/make-arch" "$2/bin/make-arch"; do [ ! -x "$make_arc
 [ -x "$make_arch" ] || { echo "test.sh: no make-arch in $2"; exit 2; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+mkdir "$work/described"
+export TS_ABI_DESCRIBED=$work/described # headers that are described again, by the selftest's check.sh above all
 major=$(major_of "$(dirname "$abi")")
 passed=0 failed=0
 
@@ -95,11 +97,11 @@ C
   for fault in 0: 1:sizes 2:sizes 3:sizes 4:labels 5:session; do
     "${CC:-cc}" -std=gnu99 -w -fPIC -shared -DFAULT="${fault%:*}" -I"$(dirname "$abi")/include" "$work/fault.c" -o "$work/fault.so"
     if [ "$fault" = 0: ]; then
-      LD_PRELOAD=$work/fault.so "$abi/run_history.sh" "$libdir" "$make_arch" || echo "FAIL  without a fault"
+      LD_PRELOAD=$work/fault.so "$abi/run_history.sh" "$libdir" "$make_arch" "" "$work" || echo "FAIL  without a fault"
       continue
     fi
     says "$(sed -n "/FAULT == ${fault%:*}$/{n;s|/\\* \\(.*\\)\\. \\*/|\\1|p}" "$work/fault.c")" "FAIL  0.1.0/${fault#*:}" \
-       env LD_PRELOAD="$work/fault.so" "$abi/run_history.sh" "$libdir" "$make_arch"
+       env LD_PRELOAD="$work/fault.so" "$abi/run_history.sh" "$libdir" "$make_arch" "0.1.0/${fault#*:}" "$work"
   done
 }
 
@@ -155,7 +157,7 @@ run "the reference, stored" stored
 run "rules" "$python" "$abi/test_compare.py"
 run "changes, made to copies" "$abi/selftest.sh"
 run "what releases keep" kept
-run "callers of all releases" "$abi/run_history.sh" "$libdir" "$make_arch"
+run "callers of all releases" "$abi/run_history.sh" "$libdir" "$make_arch" "" "$work"
 run "faults that they notice" faults
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]
