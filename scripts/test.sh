@@ -20,6 +20,41 @@ part() {
   echo "== $1 (after $((SECONDS - begin)) s)"
 }
 
+# What the sanitizers are asked of is compiled beside what goes before, at the lowest priority: on the cores that a link, a step of
+# lint.sh or the last test of a part leave idle. Where there is little memory each has its turn.
+asan_targets=(--target sanitized_tests) asan_tests=(-LE whole) fuzz_seconds=20
+[ "$sanitized" != whole ] || asan_targets=() asan_tests=() fuzz_seconds=60
+compile_asan() {
+  cmake --preset asan >/dev/null && cmake --build --preset asan -j "$jobs" ${asan_targets[@]+"${asan_targets[@]}"}
+}
+compile_tsan() {
+  cmake --preset tsan >/dev/null && cmake --build --preset tsan -j "$jobs"
+}
+aside=""
+mkdir -p build
+if [ "$sanitized" != 0 ] && awk '/^MemAvailable:/ {exit $2 < 6 * 1024 * 1024}' /proc/meminfo; then
+  rm -f build/asan.done build/tsan.done
+  set -m  # a process group of its own, to be ended as one
+  (
+    renice -n 19 $BASHPID >/dev/null
+    for kind in asan tsan; do
+      status=0
+      compile_$kind >"build/$kind.log" 2>&1 || status=$?
+      echo $status >"build/$kind.done"
+    done
+  ) &
+  aside=$!
+  set +m
+  trap 'kill -- -$aside 2>/dev/null || true' EXIT
+fi
+# compiled KIND: waits for what is compiled aside, or compiles it now.
+compiled() {
+  [ -n "$aside" ] || { compile_"$1"; return; }
+  while [ ! -s "build/$1.done" ] && kill -0 "$aside" 2>/dev/null; do sleep 1; done
+  tail -n 1 "build/$1.log"
+  [ "$(cat "build/$1.done")" = 0 ] || { cat "build/$1.log"; return 1; }
+}
+
 part "source"
 scripts/lint.sh --quick
 part "release build, warnings are errors"
@@ -34,14 +69,12 @@ if [ "${TS_TEST_WEB:-1}" = 1 ] && command -v emcc >/dev/null && command -v chrom
 fi
 if [ "$sanitized" != 0 ]; then
   part "AddressSanitizer and UndefinedBehaviorSanitizer"
-  targets=(--target sanitized_tests) tests=(-LE whole) seconds=20
-  [ "$sanitized" != whole ] || targets=() tests=() seconds=60
-  cmake --preset asan >/dev/null
-  cmake --build --preset asan -j "$jobs" ${targets[@]+"${targets[@]}"}
-  ctest --preset asan -j "$jobs" ${tests[@]+"${tests[@]}"}
-  part "fuzzers, $seconds seconds each"
-  scripts/fuzz.sh all "$seconds"
+  compiled asan
+  ctest --preset asan -j "$jobs" ${asan_tests[@]+"${asan_tests[@]}"}
+  part "fuzzers, $fuzz_seconds seconds each"
+  scripts/fuzz.sh all "$fuzz_seconds"
   part "ThreadSanitizer"
+  compiled tsan
   scripts/tsan.sh
 fi
 part "done"
