@@ -3,6 +3,8 @@
 
 SPDX-License-Identifier: Apache-2.0
 """
+import atexit
+import functools
 import json
 import math
 import os
@@ -18,9 +20,11 @@ OUTPUTS = {"--labels": "l.txt", "--cuts": "c.obj", "--ply": "m.ply", "--report":
 
 
 class Scan:
-    """A synthetic arch as a file, made once."""
+    """A synthetic arch as files that stay as they are."""
 
-    def __init__(self, folder):
+    def __init__(self):
+        folder = tempfile.mkdtemp()
+        atexit.register(shutil.rmtree, folder)
         self.stl = os.path.join(folder, "arch.stl")
         self.ply = os.path.join(folder, "arch.ply")
         self.truth = os.path.join(folder, "truth.txt")
@@ -33,15 +37,15 @@ class Scan:
         self.teeth = len(set(self.labels) - {0})
 
 
+@functools.cache
+def scan_of_all():
+    return Scan()
+
+
 class ToolTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.shared = tempfile.mkdtemp()
-        cls.scan = Scan(cls.shared)
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.shared)
+        cls.scan = scan_of_all()
 
     def setUp(self):
         self.folder = tempfile.mkdtemp()
