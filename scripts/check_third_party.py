@@ -4,7 +4,7 @@
 
 Each Debian package that the shipped libraries are linked with, that a header they were compiled from belongs to, or that
 scripts/install_deps.sh installs, or a package.json names, has an entry; each entry is in use; nothing copyleft is compiled in; and Eigen is compiled
-without its LGPL parts."""
+without its LGPL parts. TS_PACKAGE_OWNERS: a file where what dpkg said is kept for the next time."""
 import argparse
 import collections
 import fnmatch
@@ -71,6 +71,11 @@ def owners(paths):
     def twin(path):  # dpkg knows a file by its place before or after /lib became a link to /usr/lib
         return path[4:] if path.startswith("/usr/") else "/usr" + path
 
+    kept = pathlib.Path(os.environ["TS_PACKAGE_OWNERS"]) if os.environ.get("TS_PACKAGE_OWNERS") else None
+    if kept and kept.exists():
+        known = json.loads(kept.read_text())
+        if set(paths) <= known.keys():
+            return {p: known[p] for p in paths if known[p]}, sorted(p for p in paths if not known[p])
     owner, lost, left = {}, [], sorted(paths)
     while left:  # dpkg -S is slow: asked once a package
         answer = subprocess.run(["dpkg", "-S", left[0], twin(left[0])], text=True, stdout=subprocess.PIPE,
@@ -83,6 +88,8 @@ def owners(paths):
         files = set(output("dpkg", "-L", multiarch).splitlines())
         owner.update((path, package) for path in left if path in files or twin(path) in files)
         left = [path for path in left if path not in owner]
+    if kept:
+        kept.write_text(json.dumps({**dict.fromkeys(lost), **owner}))
     return owner, lost
 
 

@@ -192,6 +192,7 @@ check "a host with an OpenMesh of its own" own_openmesh
 check "two copies in one process" two_copies
 check "dpkg removes them, and all of them" remove_debs
 check "the recipes" /usr/bin/python3 "$here/test_recipes.py" "$build"
+export TS_PACKAGE_OWNERS=$work/owners.json # dpkg is asked once
 check "THIRD_PARTY.md" /usr/bin/python3 "$root/scripts/check_third_party.py" "$build"
 check "what is not in THIRD_PARTY.md is found" /usr/bin/python3 "$here/test_third_party.py" "$build"
 
