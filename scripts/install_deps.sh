@@ -8,7 +8,7 @@ case $what in
   build) ;;
   demo) packages="$packages python3 python3-numpy python3-pil fonts-dejavu-core" ;;
   test) packages="$packages python3 python3-numpy python3-scipy python3-pil fonts-dejavu-core doctest-dev libopenmesh-dev pkg-config valgrind"
-    packages="$packages python3-clang-14 clang-14 libclang-rt-14-dev abigail-tools doxygen"
+    packages="$packages python3-clang-14 clang-14 libclang-rt-14-dev lld-14 abigail-tools doxygen"
     # The languages of bindings/. A Node that is there, of whatever origin, will do.
     packages="$packages python3-pip python3-setuptools python3-wheel python3-venv rustc cargo fp-compiler mono-mcs mono-runtime dpkg-dev"
     command -v node >/dev/null && command -v npm >/dev/null || packages="$packages nodejs npm" ;;
@@ -19,7 +19,7 @@ case $what in
   windows) packages="$packages g++-mingw-w64-x86-64-posix wine64 wine llvm-14 clang-14 dpkg-dev python3 python3-clang-14 unzip"
     packages="$packages mono-mcs mono-runtime fp-compiler fpc-source" ;;
   lint) packages="$packages python3 clang-format-14 clang-tidy-14 libclang-14-dev cppcheck" ;;
-  fuzz) packages="$packages clang-14 libclang-rt-14-dev" ;;
+  fuzz) packages="$packages clang-14 libclang-rt-14-dev lld-14" ;;
   coverage) packages="$packages clang-14 libclang-rt-14-dev llvm-14 doctest-dev libopenmesh-dev" ;;
   bench) packages="$packages libsuitesparse-dev libopenblas-dev" ;;
   study) packages="$packages python3 python3-numpy python3-scipy python3-matplotlib python3-pil fonts-dejavu-core libcgal-dev libopenmesh-dev" ;;
