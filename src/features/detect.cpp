@@ -38,7 +38,8 @@ Analysis analyse(const mesh::Surface &surface, const DetectOptions &options, con
 }
 
 Features divide(const mesh::Surface &surface, const Analysis &a, const Weights &weights, const DetectOptions &options) {
-  const Division division = best_division(Lattice(a.evidence, weights));
+  const Lattice lattice(a.evidence, weights);
+  const Division division = best_division(lattice);
   Features found;
   found.occlusal = a.orientation.occlusal;
   found.inside_out = a.orientation.inside_out;
@@ -58,7 +59,8 @@ Features divide(const mesh::Surface &surface, const Analysis &a, const Weights &
     if (!group.points.empty()) found.groups.push_back(std::move(group));
   };
   for (const ToothSpan &tooth : division.teeth) {
-    if (const auto ridges = two_ridges(a.strip, tooth))
+    if (const auto ridges = two_ridges(a.strip, tooth, division.width[(tooth.from + tooth.to) / 2],
+                                       lattice.table(tooth.from, tooth.to)))
       for (const Ridge &ridge : *ridges) add(tooth, &ridge);
     else
       add(tooth, nullptr);

@@ -19,7 +19,9 @@ struct Ridge {
 };
 
 // The two incisal ridges of a span with two anterior teeth, in the order of the arch: ridges that are connected only
-// over cells much less convex than either. Nothing where there is one, and for other teeth.
-std::optional<std::array<Ridge, 2>> two_ridges(const Strip &strip, const ToothSpan &tooth);
+// over cells much less convex than either. Nothing where there is one, and for other teeth. `expected`: how wide the
+// formula has a tooth there, mm; `table`: mean width of the span's occlusal table, mm.
+std::optional<std::array<Ridge, 2>> two_ridges(const Strip &strip, const ToothSpan &tooth, double expected,
+                                               double table);
 
 }  // namespace ts::features

@@ -42,8 +42,12 @@ Lattice::Lattice(const Evidence &e, const Weights &w) : evidence_(&e) {
   change_ = w[Term::change];
 }
 
+double Lattice::table(int from, int to) const {
+  return (table_[to] - table_[from]) / (to - from);
+}
+
 double Lattice::log_width(int from, int to) const {
-  return std::log((to - from) * Strip::step / mean_tooth_width((table_[to] - table_[from]) / (to - from)));
+  return std::log((to - from) * Strip::step / mean_tooth_width(table(from, to)));
 }
 
 double Lattice::tooth(int from, int to) const {

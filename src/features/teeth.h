@@ -34,6 +34,7 @@ class Lattice {
   double change() const { return change_; }
   double tooth(int from, int to) const;  // impossible outside the range of widths
   double gap(int slice) const { return gap_allowed.empty() || gap_allowed[slice] ? 0 : impossible; }
+  double table(int from, int to) const;      // mean width of the occlusal table, mm
   double log_width(int from, int to) const;  // z
   static int shortest() { return static_cast<int>(least_tooth / Strip::step); }
   static int longest() { return static_cast<int>(most_tooth / Strip::step); }
