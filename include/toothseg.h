@@ -596,8 +596,8 @@ TS_API TS_NODISCARD ts_status ts_propose_clicks(const ts_segmentation *segmentat
 typedef struct ts_click_times {
   double pick;  /**< click to groups */
   double field; /**< solve; of the slower of the two teeth where they are worked out at the same time */
-  double cut;   /**< contours and selection */
-  double label; /**< faces, refinement, labels */
+  double cut;   /**< contours, selection, refinement */
+  double label; /**< lines and labels */
   double total; /**< of the call, but for its entry in the history */
 } ts_click_times;
 

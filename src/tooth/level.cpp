@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cut/contour.h"
 #include "cut/region.h"
@@ -76,11 +77,11 @@ Vec<double> sampled_levels(const Options &options, double limit) {
   return levels;
 }
 
-Level best_level(const Prepared &p, Index group, cut::Values rising, std::span<const double> levels) {
+Vec<double> level_values(const Prepared &p, Index group, cut::Values rising, std::span<const double> levels) {
   const mesh::Surface &surface = *p.surface;
   const auto space = p.space();
   const auto foreign = [&](Index v) { return kind_for(p, group, v) == kForeign; };
-  Level best;
+  Vec<double> values;
   cut::Growth growth(surface, rising, p.seeds[group], space->inside);
   for (const double level : levels) {
     growth.rise(level);
@@ -89,10 +90,17 @@ Level best_level(const Prepared &p, Index group, cut::Values rising, std::span<c
     const cut::Score s = border(p, growth, filled, rising, level, *space);
     const double value =
         s.concavity * std::sqrt(s.harmonic) * plausible(p, group, growth.area() + cut::area_of(surface, filled));
-    if (s.length > 0 && value > best.value) best = {level, value};
+    values.push_back(s.length > 0 && value > -1 ? value : -1);
     for (const Index f : filled) space->inside.set(f, 0);
   }
-  return best;
+  return values;
+}
+
+double best_level(const Prepared &p, Index group, cut::Values rising, std::span<const double> levels) {
+  const Vec<double> values = level_values(p, group, rising, levels);
+  const auto best = std::max_element(values.begin(), values.end());
+  if (best == values.end() || *best < 0) return std::numeric_limits<double>::quiet_NaN();
+  return levels[static_cast<std::size_t>(best - values.begin())];
 }
 
 }  // namespace ts::tooth

@@ -135,20 +135,22 @@ Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picke
   const bool own = own_field_decides(p.options);
   Selection selection;
   if (!own) selection = select_cuts(p, picked, fields);
-  double cut_ms[2] = {watch.lap(), 0};
+  const double select_ms = watch.lap();
+  double cut_ms[2] = {0, 0};
   progress.part(0.5, 1, "label")(0);
 
   Tooth both[2];
   bool found = false;
   p.executor->each(picked.neighbour == mesh::none ? 1 : 2, [&](std::size_t k) {
     const bool target = k == 0;
-    if (own) {
-      Stopwatch level;
-      (target ? selection.target_iso : selection.neighbour_iso) = own_iso(p, picked, fields, target);
-      cut_ms[k] += level.lap();
-    }
+    const Index group = target ? picked.target : picked.neighbour;
+    double &iso = target ? selection.target_iso : selection.neighbour_iso;
+    Stopwatch task;
+    Region region = own ? own_region(p, picked, fields, target) : pair_region(p, fields, iso, group, target);
+    iso = region.iso;
+    cut_ms[k] = task.lap();
     try {
-      both[k] = extract_tooth(p, fields, selection, target ? picked.target : picked.neighbour, target);
+      both[k] = extract_tooth(p, fields, std::move(region), group, target);
       if (!target) found = true;
     } catch (const Error &e) {
       if (target || e.fault() != Fault::no_cut) throw;  // the tooth clicked stands without its neighbour
@@ -161,8 +163,8 @@ Click cut_out(const Prepared &p, const mesh::SurfacePoint &at, const Pick &picke
     click.teeth.push_back(std::move(both[k]));
   }
   const double first = cut_ms[0], second = cut_ms[1];
-  click.ms.cut = p.executor->threads() > 1 ? std::max(first, second) : first + second;
-  click.ms.total = pick_ms + nodes_ms + (own ? 0 : first) + watch.lap();
+  click.ms.cut = select_ms + (p.executor->threads() > 1 ? std::max(first, second) : first + second);
+  click.ms.total = pick_ms + nodes_ms + select_ms + watch.lap();
   click.ms.label = std::max(0.0, click.ms.total - pick_ms - nodes_ms - click.ms.cut);
   // The field is solved where the cut looks at it; the two teeth may do so at the same time.
   click.ms.field = nodes_ms + fields.milliseconds();
@@ -175,13 +177,10 @@ Tooth cut_out_target(const Prepared &p, const Pick &picked, const Progress &prog
   progress(0);
   const bool own = own_field_decides(p.options);
   Fields fields(p, picked, !own);
-  Selection selection;
-  if (own)
-    selection.target_iso = own_iso_in_halves(p, picked, fields);
-  else
-    selection = select_cuts(p, picked, fields);
-  progress(0.3);
-  Tooth tooth = extract_tooth(p, fields, selection, picked.target, true);
+  Region region = own ? own_region_in_halves(p, picked, fields)
+                      : pair_region(p, fields, select_cuts(p, picked, fields).target_iso, picked.target, true);
+  progress(0.8);
+  Tooth tooth = extract_tooth(p, fields, std::move(region), picked.target, true);
   measure_cuts(p, fields, tooth);
   progress(1);
   return tooth;

@@ -275,9 +275,10 @@ std::vector<Call> calls(const std::string &folder) {
     ts_edge_point p[1 << 10];
     std::uint32_t points;
     HOLDS(ts_get_cut(h, s.teeth[0], 0, nullptr, p, 1 << 10, &points) == TS_OK);
-    double at[9];  // an open line, from one of its ends to the other
-    for (const std::uint32_t k : {0u, 1u, 2u}) std::copy_n(p[(points - 2 + k) % points].position, 3, at + 3 * k);
-    at[3] -= 1;
+    double at[9];  // from one place of the line to another, over the crown
+    for (const std::uint32_t k : {0u, 1u, 2u})
+      std::copy_n(p[(points / 2 + 6 * k - 6) % points].position, 3, at + 3 * k);
+    for (std::size_t k = 0; k < 3; ++k) at[3 + k] += (s.top[k] - at[3 + k]) / 2;
     return ts_cut_draw(h, s.teeth[0], at, 3, nullptr);
   });
   step("ts_cut_offset", [](Scene &s, ts_segmentation *h) { return ts_cut_offset(h, s.teeth[0], -0.3, nullptr); });

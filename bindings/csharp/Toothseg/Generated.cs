@@ -421,9 +421,9 @@ namespace Toothseg
         public double Pick;
         /// <summary>solve; of the slower of the two teeth where they are worked out at the same time</summary>
         public double Field;
-        /// <summary>contours and selection</summary>
+        /// <summary>contours, selection, refinement</summary>
         public double Cut;
-        /// <summary>faces, refinement, labels</summary>
+        /// <summary>lines and labels</summary>
         public double Label;
         /// <summary>of the call, but for its entry in the history</summary>
         public double Total;

@@ -457,9 +457,9 @@ export interface ClickTimes {
   pick: number;
   /** solve; of the slower of the two teeth where they are worked out at the same time */
   field: number;
-  /** contours and selection */
+  /** contours, selection, refinement */
   cut: number;
-  /** faces, refinement, labels */
+  /** lines and labels */
   label: number;
   /** of the call, but for its entry in the history */
   total: number;

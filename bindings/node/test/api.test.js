@@ -275,7 +275,7 @@ test('edits of a cut', async () => {
   assert.equal(one.cutEdits(tooth)[0].kind, EditKind.DRAG);
   assert.equal(one.cutEdits(tooth)[0].amount, 2);
   one.undo();
-  one.drawCutSync(tooth, [near(-4), inward(near(-2), 0.3), inward(near(2), 0.3), near(4)]);
+  one.drawCutSync(tooth, [near(-8), inward(near(-4), 0.5), inward(near(4), 0.5), near(8)]);
   assert.equal(one.cutEdits(tooth)[0].kind, EditKind.DRAW);
   assert.equal(one.cutEdits(tooth)[0].points, 4);
   one.dispose();

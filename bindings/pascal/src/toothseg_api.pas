@@ -458,8 +458,8 @@ type
   ts_click_times = record
     Pick: Double; // click to groups
     Field: Double; // solve; of the slower of the two teeth where they are worked out at the same time
-    Cut: Double; // contours and selection
-    Label_: Double; // faces, refinement, labels
+    Cut: Double; // contours, selection, refinement
+    Label_: Double; // lines and labels
     Total: Double; // of the call, but for its entry in the history
   end;
 

@@ -827,9 +827,9 @@ pub struct ts_click_times {
     pub pick: f64,
     /// solve; of the slower of the two teeth where they are worked out at the same time
     pub field: f64,
-    /// contours and selection
+    /// contours, selection, refinement
     pub cut: f64,
-    /// faces, refinement, labels
+    /// lines and labels
     pub label: f64,
     /// of the call, but for its entry in the history
     pub total: f64,
