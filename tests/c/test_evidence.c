@@ -150,8 +150,8 @@ static void at_once_is_one_after_the_other(void) {
   free_gap(&together);
 }
 
-/* Without its refinement the cut of this upper lateral leaves its cingulum out, which lies behind a fossa that is deeper
- * than the gum line. */
+/* Without its refinement the cut of this upper lateral leaves its cingulum out, which lies behind a fossa that is
+ * deeper than the gum line. */
 static void a_click_on_a_cingulum_is_held_for_its_tooth(void) {
   static const double cingulum[3] = {-7.022, -5.887, -7.198}, edge[3] = {-8.09, -1.93, -0.97};
   scan crowded = scan_of(make_crowded_arch(20000, 0.35, 1), 2);
