@@ -104,16 +104,16 @@ class Formula {
       for (int p = 0; p < places; ++p) own[i][p] = form_[i][p] * at_place(teeth_[i].at - midline, p);
     Vec<Places> before(n);  // marginals of the teeth up to this one
     for (std::size_t i = 0; i < n; ++i) {
+      Places reach = i == 0 ? begin_ : Places{};
+      if (i > 0) add_reached(before[i - 1], pairs_[i - 1], reach);
       double sum = 0;
       for (int q = 0; q < places; ++q) {
-        double reach = i == 0 ? begin_[q] : 0;
-        if (i > 0)
-          for (int p = 0; p < q; ++p) reach += before[i - 1][p] * pairs_[i - 1][p][q];
-        before[i][q] = reach * own[i][q];
-        sum += i + 1 == n ? before[i][q] * end_[q] : before[i][q];
+        reach[q] *= own[i][q];
+        sum += i + 1 == n ? reach[q] * end_[q] : reach[q];
       }
       if (!(sum > 0)) return impossible;
-      for (double &b : before[i]) b /= sum;
+      for (double &b : reach) b /= sum;
+      before[i] = reach;
       log += std::log(sum);
     }
     Places after = end_;
@@ -121,19 +121,35 @@ class Formula {
       double sum = 0;
       for (int p = 0; p < places; ++p) sum += marginal[i][p] = before[i][p] * after[p];
       for (double &m : marginal[i]) m /= sum;
-      if (i == 0) break;
-      Places next{};
-      double most = 0;
-      for (int p = 0; p < places; ++p) {
-        for (int q = p + 1; q < places; ++q) next[p] += pairs_[i - 1][p][q] * own[i][q] * after[q];
-        most = std::max(most, next[p]);
-      }
-      for (int p = 0; p < places; ++p) after[p] = next[p] / most;
+      if (i > 0) after = reaching(pairs_[i - 1], own[i], after);
     }
     return log;
   }
 
  private:
+  // From the marginals of a tooth on to the places of the next.
+  static void add_reached(const Places &before, const Pairs &pairs, Places &reach) {
+    for (int p = 0; p < places; ++p) {
+      const double b = before[p];
+      const Places &pair = pairs[p];
+      if (b != 0)
+        for (int q = p + 1; q < places; ++q) reach[q] += b * pair[q];
+    }
+  }
+
+  // From what lies behind a tooth back to the places of the one before it, the most being 1.
+  static Places reaching(const Pairs &pairs, const Places &own, const Places &after) {
+    Places before{};
+    double most = 0;
+    for (int p = 0; p < places; ++p) {
+      const Places &pair = pairs[p];
+      for (int q = p + 1; q < places; ++q) before[p] += pair[q] * own[q] * after[q];
+      most = std::max(most, before[p]);
+    }
+    for (double &b : before) b /= most;
+    return before;
+  }
+
   static Places form(Jaw jaw, double size, const ArchTooth &t) {
     Places score{};
     for (int p = 0; p < places; ++p) {
