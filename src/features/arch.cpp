@@ -133,7 +133,8 @@ Vec<Circle> circles(const Map &map) {
   const Vec2 offset = (moment + Eigen::Matrix2d::Identity()).inverse() * third / 2;
   const double radius = std::sqrt(offset.squaredNorm() + moment.trace());
   if (radius > least_jaw && radius < greatest_jaw) result.push_back({mean + offset, radius});
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(moment);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(moment);
   for (const double r : {22.0, 35.0})
     for (const double side : {1.0, -1.0}) {
       const double away = std::sqrt(std::max(0.0, r * r - moment.trace()));

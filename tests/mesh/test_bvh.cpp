@@ -25,7 +25,7 @@ double hit(const Surface &s, Index f, const Vec3 &o, const Vec3 &d) {
   const Vec3 a = s.position[s.triangle[f][0]], b = s.position[s.triangle[f][1]], c = s.position[s.triangle[f][2]];
   Eigen::Matrix3d m;
   m << b - a, c - a, -d.normalized();
-  const Vec3 x = m.colPivHouseholderQr().solve(o - a);
+  const Vec3 x = m.inverse() * (o - a);
   return x[0] >= 0 && x[1] >= 0 && x[0] + x[1] <= 1 && x[2] >= 0 ? x[2] : HUGE_VAL;
 }
 
