@@ -9,7 +9,7 @@ let page, faults, close, arch;
 before(async () => {
   await load();
   arch = makeArch({ jaw: 2, triangles: 60000, seed: 1 });
-  ({ page, faults, close } = await openPage());
+  ({ page, faults, close } = await openPage({ smooth: true }));
   await keep(page, 'start');
   await openArch(page);
 });

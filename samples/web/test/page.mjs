@@ -13,12 +13,16 @@ const ARGS = [
 /** Preparing takes a while on a machine that does other things as well. */
 export const PATIENCE = 240000;
 
-/** The page in a browser of its own. `faults`: what should not have been in the console, and requests to elsewhere. */
-export async function openPage(options = {}) {
+/**
+ * The page in a browser of its own. `faults`: what should not have been in the console, and requests to elsewhere. Edges are smooth
+ * where a picture is compared: where a processor draws, that is half of what a frame costs.
+ */
+export async function openPage({ smooth = false, ...options } = {}) {
   const { server, address } = await serve(DIST);
   const profile = mkdtempSync(join(tmpdir(), 'toothseg-web-'));
   const browser = await chromium.launchPersistentContext(profile, {
-    executablePath: process.env.TS_CHROMIUM ?? '/usr/bin/chromium', headless: true, args: ARGS, acceptDownloads: true,
+    executablePath: process.env.TS_CHROMIUM ?? '/usr/bin/chromium', headless: true, acceptDownloads: true,
+    args: smooth ? ARGS : [...ARGS, '--webgl-antialiasing-mode=none'],
     viewport: { width: 1280, height: 800 }, deviceScaleFactor: 1, colorScheme: 'light', ...options,
   });
   const page = browser.pages()[0] ?? (await browser.newPage());

@@ -72,7 +72,7 @@ test('with the network cut after loading everything works', async () => {
 });
 
 test('the page says that the scan stays here, and all of it fits at 1280 x 800, light and dark', async () => {
-  const { page, faults, close } = await openPage({ colorScheme: 'dark' });
+  const { page, faults, close } = await openPage({ smooth: true, colorScheme: 'dark' });
   try {
     assert.match(await page.textContent('#start'), /never leaves this browser/);
     assert.match(await page.textContent('#tools footer'), /never leaves this browser/);
