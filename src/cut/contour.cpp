@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "base/stop.h"
 #include "geometry/gradient.h"
 
 namespace ts::cut {
@@ -75,13 +75,18 @@ void each_segment(std::span<const double> concavity, const Polyline &line, const
   }
 }
 
-}  // namespace
-
-Vec<Polyline> contour(const Surface &surface, Values u, double iso) {
-  Vec<Index> all(surface.faces());
-  std::iota(all.begin(), all.end(), 0);
-  return contour(surface, u, iso, all);
+// Calls visit(k, iso) for those of n iso-values whose contour crosses a face with these values: low < iso <= high.
+void each_iso(double low, double high, std::size_t n, const auto &visit) {
+  const double first = std::max(0.0, std::floor(low * static_cast<double>(n + 1)) - 1);
+  if (!(high > low) || first >= static_cast<double>(n)) return;
+  for (auto k = static_cast<std::size_t>(first); k < n; ++k) {
+    const double iso = iso_value(k, n);
+    if (iso > high) break;
+    if (iso > low) visit(k, iso);
+  }
 }
+
+}  // namespace
 
 Vec<Polyline> contour(const Surface &surface, Values u, double iso, std::span<const Index> among) {
   constexpr std::size_t kNowhere = SIZE_MAX;
@@ -125,6 +130,21 @@ Vec<Polyline> contour(const Surface &surface, Values u, double iso, std::span<co
   return lines;
 }
 
+Vec<Vec<Index>> crossed_faces(const Surface &surface, std::span<const double> u, std::size_t n) {
+  Vec<Vec<Index>> crossed(n);
+  StopNowAndThen stop(1 << 13);
+  for (Index f = 0; f < surface.faces(); ++f) {
+    stop();
+    const auto &[a, b, c] = surface.triangle[f];
+    if (std::isnan(u[a] + u[b] + u[c])) continue;
+    each_iso(std::min({u[a], u[b], u[c]}), std::max({u[a], u[b], u[c]}), n, [&](std::size_t k, double) {
+      stop();
+      crossed[k].push_back(f);
+    });
+  }
+  return crossed;
+}
+
 Score score(const Surface &surface, Values u, std::span<const double> concavity, std::span<const Polyline> lines) {
   Sums sums;
   for (const Polyline &line : lines)
@@ -148,15 +168,8 @@ Vec<Score> score_all(const Surface &surface, std::span<const double> u, std::spa
     if (std::isnan(u[t[0]] + u[t[1]] + u[t[2]])) continue;
     std::sort(t.begin(), t.end(), [&](Index a, Index b) { return u[a] < u[b]; });
     const double low = u[t[0]], middle = u[t[1]], high = u[t[2]];
-    if (!(high > low)) continue;
-    // u < iso <= ... : the iso-values in (low, high]
-    const auto first = std::max(0.0, std::floor(low * static_cast<double>(n + 1)) - 1);
-    if (first >= static_cast<double>(n)) continue;
     double gradient = -1;
-    for (auto k = static_cast<std::size_t>(first); k < n; ++k) {
-      const double iso = iso_value(k, n);
-      if (iso <= low) continue;
-      if (iso > high) break;
+    each_iso(low, high, n, [&](std::size_t k, double iso) {
       if (gradient < 0)
         gradient = face_gradient_norm(
             surface, [&](Index v) { return u[v]; }, f);
@@ -169,7 +182,7 @@ Vec<Score> score_all(const Surface &surface, std::span<const double> u, std::spa
       const double cp = (1 - s) * concavity[t[0]] + s * concavity[t[2]];
       const double cq = (1 - r) * concavity[a] + r * concavity[b];
       sums[k].add((q - p).norm(), gradient, (cp + cq) / 2);
-    }
+    });
   }
   Vec<Score> scores(n);
   for (std::size_t k = 0; k < n; ++k) scores[k] = sums[k].score();

@@ -7,10 +7,9 @@
 
 namespace ts::cut {
 
-// The contour u = iso as polylines, with u < iso on their left (seen from outside). Faces with a NaN are not crossed.
-// A vertex with u = iso counts as above it, so that lines never meet.
-Vec<Polyline> contour(const Surface &surface, Values u, double iso);
-// The same within some faces (ascending): lines that leave them are open there.
+// The contour u = iso within some faces (ascending) as polylines, with u < iso on their left (seen from outside); lines
+// that leave the faces are open there. Faces with a NaN are not crossed. A vertex with u = iso counts as above it, so
+// that lines never meet.
 Vec<Polyline> contour(const Surface &surface, Values u, double iso, std::span<const Index> among);
 
 // Means along a line or a whole contour.
@@ -30,6 +29,9 @@ double mean_concavity(std::span<const double> concavity, const Polyline &line);
 inline double iso_value(std::size_t k, std::size_t n) {
   return static_cast<double>(k + 1) / static_cast<double>(n + 1);
 }
+
+// Of each of n iso-values the faces that its contour crosses, ascending, in one pass over the faces.
+Vec<Vec<Index>> crossed_faces(const Surface &surface, std::span<const double> u, std::size_t n);
 
 // The scores of the whole contours of all n iso-values, in one pass over the faces.
 Vec<Score> score_all(const Surface &surface, std::span<const double> u, std::span<const double> concavity,

@@ -169,11 +169,12 @@ ClickView Segmenter::view(const Click &click, const Progress &progress) const {
   view.u = Fields(p, picked, true).all_of_u();
   view.histogram = cut::histogram(view.u, p.options.histogram_bins).bins;
   view.contours.resize(p.options.contours);
+  const Vec<Vec<Index>> crossed = cut::crossed_faces(*p.surface, view.u, view.contours.size());
   p.executor->each(view.contours.size(), [&](std::size_t k) {
     Contour &c = view.contours[k];
     c.iso = cut::iso_value(k, view.contours.size());
     const auto u = [&](Index v) { return view.u[v]; };
-    c.lines = cut::contour(*p.surface, u, c.iso);
+    c.lines = cut::contour(*p.surface, u, c.iso, crossed[k]);
     const cut::Score s = cut::score(*p.surface, u, p.relief->concavity, c.lines);
     c.gradient = s.gradient;
     c.concavity = s.concavity;

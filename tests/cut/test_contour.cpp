@@ -23,7 +23,7 @@ auto of(const Vec<double> &u) {
 TEST_CASE("the contour of a linear field on a plane is a straight line from border to border") {
   const mesh::Surface s = forms::plane(10, 4, 30, 12);
   const Vec<double> u = field(s, [](const Vec3 &p) { return 0.08 * p.x() + 0.02 * p.y(); });
-  const Vec<Polyline> lines = contour(s, of(u), 0.431);
+  const Vec<Polyline> lines = contour(s, of(u), 0.431, forms::every_face(s));
   REQUIRE(lines.size() == 1);
   const Polyline &line = lines[0];
   CHECK(!line.closed);
@@ -46,7 +46,7 @@ TEST_CASE("the contours of height on a sphere are closed circles, low side on th
   const mesh::Surface s = forms::sphere(5, 4);
   const Vec<double> u = field(s, [](const Vec3 &p) { return p.z(); });
   for (const double z : {-3.0, 0.0, 2.5}) {
-    const Vec<Polyline> lines = contour(s, of(u), z);
+    const Vec<Polyline> lines = contour(s, of(u), z, forms::every_face(s));
     REQUIRE(lines.size() == 1);
     CHECK(lines[0].closed);
     CHECK(lines[0].points.size() == lines[0].faces.size());
@@ -63,7 +63,7 @@ TEST_CASE("the contours of height on a sphere are closed circles, low side on th
 TEST_CASE("iso-values that vertices have exactly still give one closed line of distinct points") {
   const mesh::Surface s = forms::tube(2, 6, 24, 12);
   const Vec<double> u = field(s, [](const Vec3 &p) { return p.z(); });
-  const Vec<Polyline> lines = contour(s, of(u), 3.0);
+  const Vec<Polyline> lines = contour(s, of(u), 3.0, forms::every_face(s));
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].closed);
   for (std::size_t i = 0; i < lines[0].points.size(); ++i) {
@@ -78,7 +78,7 @@ TEST_CASE("two bumps: two lines; faces with a NaN are not crossed; a part of the
   const mesh::Surface s = forms::plane(20, 10, 60, 30);
   Vec<double> u = field(
       s, [](const Vec3 &p) { return std::min(std::hypot(p.x() - 5, p.y() - 5), std::hypot(p.x() - 15, p.y() - 5)); });
-  const Vec<Polyline> both = contour(s, of(u), 3);
+  const Vec<Polyline> both = contour(s, of(u), 3, forms::every_face(s));
   REQUIRE(both.size() == 2);
   CHECK((both[0].closed && both[1].closed));
   Vec<Index> left;
@@ -87,7 +87,7 @@ TEST_CASE("two bumps: two lines; faces with a NaN are not crossed; a part of the
   CHECK(contour(s, of(u), 3, left).size() == 1);
   for (Index v = 0; v < s.vertices(); ++v)
     if (s.position[v].x() > 15) u[v] = std::nan("");
-  const Vec<Polyline> cut = contour(s, of(u), 3);
+  const Vec<Polyline> cut = contour(s, of(u), 3, forms::every_face(s));
   REQUIRE(cut.size() == 2);
   CHECK(cut[0].closed != cut[1].closed);
 }
@@ -97,9 +97,14 @@ TEST_CASE("scores of all contours in one pass are those of the contours") {
   const Vec<double> u = field(s, [](const Vec3 &p) { return (p.x() + 0.3 * p.z() + 8.7) / 17.4; });
   const Vec<double> c = field(s, [](const Vec3 &p) { return std::abs(p.y()) / 4; });
   const Vec<Score> all = score_all(s, u, c, 33);
+  const Vec<Vec<Index>> crossed = crossed_faces(s, u, 33);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const Vec<Polyline> lines = contour(s, of(u), iso_value(k, all.size()));
+    const Vec<Polyline> lines = contour(s, of(u), iso_value(k, all.size()), forms::every_face(s));
     const Score one = score(s, of(u), c, lines);
+    std::size_t faces = 0;
+    for (const Polyline &line : lines) faces += line.faces.size();
+    CHECK(crossed[k].size() == faces);
+    CHECK(contour(s, of(u), iso_value(k, all.size()), crossed[k]).size() == lines.size());
     CHECK(all[k].length == doctest::Approx(one.length).epsilon(1e-4));
     CHECK(all[k].gradient == doctest::Approx(one.gradient).epsilon(1e-4));
     CHECK(all[k].concavity == doctest::Approx(one.concavity).epsilon(1e-4));

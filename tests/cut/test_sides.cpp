@@ -18,7 +18,7 @@ struct Circle {
   Surface s = forms::plane(10, 10, 50, 50);
   double radius(Index v) const { return (s.position[v] - Vec3(5, 5, 0)).norm(); }
   Vec<Polyline> lines = contour(
-      s, [this](Index v) { return radius(v); }, 3);
+      s, [this](Index v) { return radius(v); }, 3, forms::every_face(s));
   const Polyline *line[1] = {&lines[0]};
   Space space{s};
   Vec<double> length = [this] {

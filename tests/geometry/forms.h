@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include "mesh/surface.h"
 
@@ -90,6 +91,12 @@ inline Surface sphere(double radius, int times) {
   }
   for (Vec3 &q : p) q *= radius / q.norm();
   return make_surface(std::move(p), std::move(t));
+}
+
+inline Vec<Index> every_face(const Surface &s) {
+  Vec<Index> faces(s.faces());
+  std::iota(faces.begin(), faces.end(), 0);
+  return faces;
 }
 
 }  // namespace forms

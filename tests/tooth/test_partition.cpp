@@ -22,7 +22,7 @@ Tooth tooth_of(const mesh::Surface &s, Index group, const std::function<double(c
   Tooth t;
   t.group = group;
   for (auto &line : cut::contour(
-           s, [&](Index v) { return u(s.position[v]); }, iso))
+           s, [&](Index v) { return u(s.position[v]); }, iso, forms::every_face(s)))
     t.loops.push_back({std::move(line), iso, 0, 0});
   Index lowest = 0;
   for (Index v = 0; v < s.vertices(); ++v)
