@@ -21,8 +21,6 @@ export class View {
   private radius = 40;
   private drawing = false;
   private warm = false;
-  /** Frames drawn: what tests wait for. */
-  frames = 0;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -56,6 +54,11 @@ export class View {
     return this.warm;
   }
 
+  /** What was asked for is drawn: what tests wait for. */
+  get drawn(): boolean {
+    return this.warm && !this.drawing;
+  }
+
   /** Draws anew with the next frame. */
   invalidate(): void {
     if (this.drawing || !this.warm) return;
@@ -64,7 +67,6 @@ export class View {
       this.drawing = false;
       this.renderer.render(this.scene, this.camera);
       this.overlay.placeLabels((p) => this.toScreen(p));
-      ++this.frames;
       if (this.surface?.grow()) this.invalidate();
     });
   }

@@ -7,7 +7,7 @@ import { keep } from './pictures.mjs';
 let page, faults, close;
 before(async () => {
   ({ page, faults, close } = await openPage());
-  await openArch(page);
+  await openArch(page, 20000);
   await page.keyboard.press('a');
   await settled(page);
 });
@@ -175,7 +175,7 @@ test('visibility and colour of a tooth', async () => {
 });
 
 test('feature points: added, moved, removed, and used', async () => {
-  await openArch(page);
+  await openArch(page, 20000);
   await page.keyboard.press('5');
   await settled(page);
   const points = () => state(page, 's.points.points');

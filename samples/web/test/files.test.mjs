@@ -18,7 +18,7 @@ test('a session without its scan is told what is missing', async () => {
 });
 
 test('teeth as STL in one zip: a file a tooth, each closed', async () => {
-  await openArch(page);
+  await openArch(page, 20000);
   await clickAt(page, (await state(page, 's.now.proposals'))[2]);
   const fdi = await state(page, 's.now.teeth.map((t) => t.fdi)');
   const { name, bytes } = await download(page, 'Teeth (STL, zip)');
@@ -59,7 +59,7 @@ test('the session opens again, byte for byte, and goes on', async () => {
   session = (await download(page, 'Session')).bytes;
   await page.reload();
   await page.waitForFunction(() => window.viewer?.ready());
-  await openArch(page);
+  await openArch(page, 20000);
   await drop(page, 'arch.toothseg.json', session);
   assert.match(await status(page), /Session opened: 4 teeth/);
   assert.deepEqual(await labels(page), before);
@@ -122,7 +122,7 @@ const WRITERS = {
 const rows = (flat) => Array.from({ length: flat.length / 3 }, (_, i) => [...flat.subarray(3 * i, 3 * i + 3)]);
 
 test('STL, OBJ and OFF open when they are dropped', async () => {
-  const small = makeArch({ jaw: 2, triangles: 20000, seed: 1 });
+  const small = makeArch({ jaw: 2, triangles: 12000, seed: 2 });
   for (const [ending, write] of Object.entries(WRITERS)) {
     await drop(page, `small.${ending}`, write(small));
     assert.equal(await state(page, 's.opened.name'), `small.${ending}`, await status(page));

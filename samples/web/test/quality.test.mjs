@@ -80,7 +80,7 @@ test('the page says that the scan stays here, and all of it fits at 1280 x 800, 
     assert.match(notices, /three\.js authors/);
     const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
     const dark = await paper();
-    await openArch(page);
+    await openArch(page, 20000);
     await page.keyboard.press('a');
     await settled(page);
     await page.click('#list button[aria-label^="Select tooth 41"]');
@@ -102,7 +102,7 @@ test('the page says that the scan stays here, and all of it fits at 1280 x 800, 
 test('every control has a name, the focus is seen, and what happens is announced', async () => {
   const { page, close } = await openPage();
   try {
-    await openArch(page);
+    await openArch(page, 20000);
     await page.keyboard.press('a');
     await settled(page);
     const nameless = await page.$$eval('button, input:not([hidden]), select, canvas, [role]', (all) =>
