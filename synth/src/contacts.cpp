@@ -2,6 +2,7 @@
 #include "contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tsa {
@@ -22,7 +23,7 @@ struct Overlap {
 double depthIn(const PlacedTooth &t, Vec3 p) {
   const Vec3 q = t.local(p);
   if (q.z < 0 || q.z > 1.1 * t.shape.height || std::abs(q.x) > 0.6 * t.shape.md) return -1;
-  return -t.shape.sample(q.x, q.y, q.z).crown;
+  return -t.shape.crown(q.x, q.y, q.z);
 }
 
 Overlap overlap(const PlacedTooth &a, const PlacedTooth &b) {
@@ -49,15 +50,25 @@ Overlap overlap(const PlacedTooth &a, const PlacedTooth &b) {
 }  // namespace
 
 void moveApart(std::vector<PlacedTooth> &teeth) {
+  constexpr size_t kNear = 2;  // places between which crowns may meet
+  std::vector<int> moves(teeth.size(), 0);
+  // By the first tooth and how far on the second is: how often the two had moved when they were found apart.
+  std::vector<std::array<int, kNear>> apart(teeth.size(), {-1, -1});
   for (int round = 0; round < kRounds; ++round) {
     bool moved = false;
     for (size_t i = 0; i + 1 < teeth.size(); ++i)
-      for (size_t j = i + 1; j < std::min(i + 3, teeth.size()); ++j) {
+      for (size_t j = i + 1; j < std::min(i + 1 + kNear, teeth.size()); ++j) {
+        int &known = apart[i][j - i - 1];
+        if (known == moves[i] + moves[j]) continue;
         const Overlap o = overlap(teeth[i], teeth[j]);
-        if (o.depth <= kDeepest) continue;
+        if (o.depth <= kDeepest) {
+          known = moves[i] + moves[j];
+          continue;
+        }
         const Vec3 step = (o.depth - 0.8 * kDeepest) * o.direction;
         teeth[i].origin = teeth[i].origin - step;
         teeth[j].origin = teeth[j].origin + step;
+        ++moves[i], ++moves[j];
         moved = true;
       }
     if (!moved) return;

@@ -83,14 +83,13 @@ ToothShape::Plan ToothShape::plan(double u, double v, double tau) const {
   return {x, y, o.gauge, o.distance};
 }
 
-ToothSample ToothShape::sample(double u, double v, double w) const {
-  if (w > height + kReach || std::abs(u) > 0.6 * md + kReach + 1 || std::abs(v) > 0.62 * fl + kReach + 1.5) return {};
-  const double tau = w / height;
-  const Plan plan = this->plan(u, v, tau);
-  const double x = plan.x, y = plan.y;
-  double side = plan.distance;
-  if (side > kReach) return {};
+bool ToothShape::isNear(double u, double v, double w) const {
+  return w <= height + kReach && std::abs(u) <= 0.6 * md + kReach + 1 && std::abs(v) <= 0.62 * fl + kReach + 1.5;
+}
 
+double ToothShape::crown(double u, double v, double w, const Plan &plan) const {
+  const double tau = w / height, y = plan.y;
+  double side = plan.distance;
   if (fossaDepth > 0 && y < 0.2) {
     const double q = u / fossaWidth;
     side += fossaDepth * std::exp(-q * q * q * q) * smoothstep(0.2, -0.5, y) * smoothstep(0.3, 0.62, tau);
@@ -101,15 +100,25 @@ ToothSample ToothShape::sample(double u, double v, double w) const {
     if (q * q < 9)
       side += g.depth * std::exp(-q * q) * smoothstep(g.from, g.from + 0.45, tau) * smoothstep(0, 0.5, g.side * y);
   }
+  if (tau <= 0.3 || side >= 1.5) return side;
+  constexpr double kCapScale = 0.87;  // 1 / sqrt(1 + slope^2) at the usual cuspal incline
+  return smoothMax(side, kCapScale * (w - top(u, v)), capBlend);
+}
 
+double ToothShape::crown(double u, double v, double w) const {
+  if (!isNear(u, v, w)) return kFar;
+  const Plan plan = this->plan(u, v, w / height);
+  return plan.distance > kReach ? kFar : crown(u, v, w, plan);
+}
+
+ToothSample ToothShape::sample(double u, double v, double w) const {
+  if (!isNear(u, v, w)) return {};
+  const Plan plan = this->plan(u, v, w / height);
+  if (plan.distance > kReach) return {};
   ToothSample s;
-  s.crown = side;
-  if (tau > 0.3 && side < 1.5) {
-    constexpr double kCapScale = 0.87;  // 1 / sqrt(1 + slope^2) at the usual cuspal incline
-    s.crown = smoothMax(side, kCapScale * (w - top(u, v)), capBlend);
-  }
+  s.crown = crown(u, v, w, plan);
   // The margin is the same all the way out from a place of the outline.
-  const double xc = std::fmin(std::abs(x) / plan.gauge, 1.25), yo = y / plan.gauge;
+  const double xc = std::fmin(std::abs(plan.x) / plan.gauge, 1.25), yo = plan.y / plan.gauge;
   const double mid = gumLingual + (gumFacial - gumLingual) * smoothstep(-0.6, 0.6, yo);
   const double edge =
       mid + ((u > 0 ? papillaDistal : papillaMesial) - mid) * std::fmin(xc * xc * (0.6 + 0.4 * xc), 1.15);

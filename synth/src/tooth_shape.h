@@ -49,9 +49,11 @@ class Profile {
   std::array<double, kSteps + 1> table_{};
 };
 
+constexpr double kFar = 1e3;
+
 struct ToothSample {
-  double crown = 1e3;
-  double gum = 1e3;  // the gingiva that clings to this tooth
+  double crown = kFar;
+  double gum = kFar;  // the gingiva that clings to this tooth
 };
 
 struct ToothShape {
@@ -69,7 +71,9 @@ struct ToothShape {
 
   double top(double u, double v) const;
   ToothSample sample(double u, double v, double w) const;
-  // Beyond this the sample says 1e3: further than any blend reaches.
+  // Of the sample the crown alone.
+  double crown(double u, double v, double w) const;
+  // Beyond this the sample says kFar: further than any blend reaches.
   static constexpr double kReach = 3.6;
 
  private:
@@ -78,6 +82,8 @@ struct ToothShape {
     double x, y, gauge, distance;  // gauge: 1 on the outline
   };
   Plan plan(double u, double v, double tau) const;
+  bool isNear(double u, double v, double w) const;
+  double crown(double u, double v, double w, const Plan &plan) const;
 };
 
 // The tooth at `position` 1 to 7 of a quadrant; its size and form vary a little with `random`.
