@@ -28,13 +28,14 @@ struct Arch {
 };
 
 Arch make(std::uint32_t jaw, double crowding, std::uint64_t seed, const std::vector<std::uint32_t> &missing,
-          std::uint32_t base) {
+          std::uint32_t base, std::uint32_t triangles = 20000, double noise = 0) {
   tsa_options o{};
   REQUIRE(tsa_options_init(&o, sizeof o) == TSA_OK);
   o.jaw = jaw;
   o.crowding = crowding;
   o.seed = seed;
-  o.triangles = 20000;
+  o.triangles = triangles;
+  o.noise = noise;
   o.base = base;
   o.missing = missing.data();
   o.missing_count = static_cast<std::uint32_t>(missing.size());
@@ -102,6 +103,11 @@ TEST_CASE("severely crowded: one tooth before the other, which no line across th
       if (kHalf && (jaw == TSA_JAW_UPPER) != (seed == 4)) continue;
       check(make(jaw, 1, seed, {}, 0));
     }
+}
+
+TEST_CASE("lower incisors in pairs as wide as upper central ones, one before the other" *
+          doctest::test_suite("many arches")) {
+  check(make(TSA_JAW_LOWER, 0.47454577173215756, 325, {37, 45, 36}, 0, 13452, 0.25589691502637352));
 }
 
 TEST_CASE("synthetic arches with missing teeth" * doctest::test_suite("many arches")) {
