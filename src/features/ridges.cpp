@@ -75,8 +75,8 @@ bool stepped(const std::array<Ridge, 2> &ridges) {
   std::array<Vec2, 2> middle, along;
   for (std::size_t r = 0; r < 2; ++r) {
     const auto at = [](std::size_t cell) {
-      return Vec2(static_cast<double>(cell / Strip::across) * Strip::step,
-                  Strip::t(static_cast<int>(cell % Strip::across)));
+      const std::size_t slice = cell / Strip::across;
+      return Vec2(static_cast<double>(slice) * Strip::step, Strip::t(static_cast<int>(cell % Strip::across)));
     };
     middle[r].setZero();
     for (const std::size_t cell : ridges[r].cells) middle[r] += at(cell);
