@@ -99,7 +99,7 @@ struct Apart {
   double area;  // of either ridge, mm^2
 };
 
-// The two ridges that the least convex way connects; `cells` by convexity from the top down.
+// The two ridges of some cells that the least convex way connects: cells are joined from the most convex down.
 std::optional<std::array<Ridge, 2>> part(const Strip &strip, const Vec<float> &convexity, Vec<std::size_t> cells,
                                          float top, const Apart &apart) {
   const std::size_t first = std::ranges::min(cells), last = std::ranges::max(cells);
@@ -157,7 +157,7 @@ std::optional<std::array<Ridge, 2>> part(const Strip &strip, const Vec<float> &c
 std::optional<std::array<Ridge, 2>> two_ridges(const Strip &strip, const ToothSpan &tooth, double expected,
                                                double table) {
   if (!within(3, tooth.place)) return {};
-  Vec<std::size_t> cells = span_cells(strip, tooth, 0);
+  const Vec<std::size_t> cells = span_cells(strip, tooth, 0);
   float top = -1e9f;
   for (const std::size_t c : cells)
     if (std::abs(Strip::t(static_cast<int>(c % Strip::across))) <= 6) top = std::max(top, strip.height[c]);
