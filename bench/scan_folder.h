@@ -9,8 +9,8 @@ namespace ts::bench {
 
 struct ScanFolder {
   std::string name;
-  mesh::Surface surface;  // faces in the order of mesh.ply; no intake
-  Vec<int> label;         // a face; empty where the scan has none
+  mesh::Surface surface;  // as intake makes it of mesh.ply
+  Vec<int> label;         // a face of it; empty where the scan has none
 };
 
 ScanFolder read_scan_folder(const std::string &folder);  // throws std::runtime_error

@@ -2,6 +2,7 @@
 
 #include "api/guard.h"
 #include "api/segmentation_handle.h"
+#include "base/shown.h"
 #include "tooth/correct.h"
 
 namespace ts::api {
@@ -19,7 +20,7 @@ mesh::SurfacePoint surface_point(const Prepared &p, const Vec3 &position) {
 mesh::SurfacePoint point_on(const Prepared &p, const Vec3 &position) {
   mesh::SurfacePoint at = surface_point(p, position);
   if (at.distance > p.segmenter->options().click_reach)
-    throw Error(Fault::click_off_surface, "the point is " + std::to_string(at.distance) + " mm from the surface");
+    throw Error(Fault::click_off_surface, "the point is " + shown(at.distance) + " mm from the surface");
   return at;
 }
 

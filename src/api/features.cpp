@@ -1,6 +1,7 @@
 #include "api/features_handle.h"
 #include "api/guard.h"
 #include "api/model_handle.h"
+#include "base/shown.h"
 #include "features/detect.h"
 #include "features/doubts.h"
 
@@ -28,7 +29,7 @@ features::DetectOptions detect_options(const ts_feature_options &o) {
   if (o.max_points < 1 || o.max_points > 64)
     throw Error(Fault::invalid_argument, "max_points is " + std::to_string(o.max_points) + ", must be 1 to 64");
   if (!(o.radius >= 0.5 && o.radius <= 5))
-    throw Error(Fault::invalid_argument, "radius is " + std::to_string(o.radius) + ", must be 0.5 to 5 mm");
+    throw Error(Fault::invalid_argument, "radius is " + shown(o.radius) + ", must be 0.5 to 5 mm");
   features::DetectOptions d;
   d.max_points = o.max_points;
   d.radius = o.radius;
@@ -44,11 +45,11 @@ void write_doubts(const Context &context, const features::Looks &looks) {
   const auto say = [&](const std::string &text) { context.write_log(TS_LOG_WARNING, "features: " + text); };
   if (looks.warnings & features::Doubt::inside_out) say("the faces of the mesh look inwards");
   if (looks.warnings & features::Doubt::opposed)
-    say("teeth look both ways along the occlusal direction (" + std::to_string(looks.opposed) +
+    say("teeth look both ways along the occlusal direction (" + shown(looks.opposed) +
         " of the roughness that looks with it looks against it): two jaws in occlusion?");
   if (looks.warnings & features::Doubt::several_arches)
-    say("only " + std::to_string(looks.coverage) + " of the roughness lies near the arch curve of " +
-        std::to_string(looks.length) + " mm: more than one arch?");
+    say("only " + shown(looks.coverage) + " of the roughness lies near the arch curve of " + shown(looks.length) +
+        " mm: more than one arch?");
 }
 
 // Edits a copy and puts it in place at the end, so that a failure leaves the set as it was.

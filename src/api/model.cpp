@@ -1,5 +1,6 @@
 #include "api/guard.h"
 #include "api/model_handle.h"
+#include "base/shown.h"
 #include "mesh/read.h"
 
 using namespace ts::api;
@@ -28,8 +29,7 @@ mesh::IntakeOptions intake_options(const ts_intake_options *options) {
   const ts_intake_options o = read_options(options, default_intake_options(), "ts_intake_options");
   need_value(o.unit, TS_UNIT_INCH, "unit");
   if (!(o.weld_tolerance >= 0 && o.weld_tolerance <= 1))
-    throw Error(Fault::invalid_argument,
-                "weld_tolerance is " + std::to_string(o.weld_tolerance) + ", must be 0 to 1 mm");
+    throw Error(Fault::invalid_argument, "weld_tolerance is " + shown(o.weld_tolerance) + ", must be 0 to 1 mm");
   return {static_cast<mesh::Unit>(o.unit), o.weld_tolerance};
 }
 

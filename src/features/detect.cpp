@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/shown.h"
 #include "features/analysis.h"
 #include "features/doubts.h"
 #include "features/points.h"
@@ -73,7 +74,7 @@ Features detect(const mesh::Surface &surface, const DetectOptions &options, cons
                 const Progress &progress) {
   // Sampled at a physical spacing, a surface of that size would cost as much as it is large.
   if (surface.diagonal > kLargest)
-    throw Error(Fault::no_teeth, "the surface is " + std::to_string(surface.diagonal) + " mm across: no jaw is");
+    throw Error(Fault::no_teeth, "the surface is " + shown(surface.diagonal) + " mm across: no jaw is");
   const Analysis a = analyse(surface, options, executor, progress.part(0, 0.95, "features"));
   Features found = divide(surface, a, fitted_weights, options);
   progress(1);

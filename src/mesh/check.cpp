@@ -1,11 +1,11 @@
 #include "mesh/check.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <mutex>
 
 #include "base/error.h"
+#include "base/shown.h"
 #include "mesh/file_size.h"
 
 namespace ts::mesh {
@@ -15,13 +15,8 @@ constexpr std::size_t kCheckGrain = 1 << 15;
 constexpr double furthest = 1e9;                              // mm
 constexpr double least_diagonal = 9, largest_diagonal = 400;  // mm: an incisor's crown; a tray with both plaster bases
 
-std::string shown(double x) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, 4).ptr};
-}
-
 std::string vertex_text(std::size_t v, const Vec3 &p) {
-  return "vertex " + std::to_string(v) + " (" + shown(p.x()) + ", " + shown(p.y()) + ", " + shown(p.z()) + ")";
+  return "vertex " + std::to_string(v) + " " + shown(p);
 }
 
 // The first i in [0, n) for which bad(i), n if none: the same for any number of threads.

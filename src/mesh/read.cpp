@@ -32,17 +32,18 @@ Format format_of(std::span<const std::byte> file) {
   const std::string_view all = without_byte_order_mark(as_text(file));
   if (all.starts_with("OFF BINARY")) return Format::off;
   if (all.starts_with("ply\n") || all.starts_with("ply\r")) return Format::ply;
-  if (is_binary_stl(file)) {
+  Text text(all, '#');
+  const std::string_view word = text.word();
+  // What begins like one of these is one, whatever characters its comments have.
+  const bool off = word.ends_with("OFF") && is_text(word, false), obj = is_obj_word(word);
+  if (is_complete_stl(file) || (is_binary_stl(file) && !off && !obj)) {
     // Told from an image or an archive by its header, which is text, or text and zeros, or has the colour of the part.
     const std::string_view header = all.substr(0, 80);
     if (is_text(header, true) || header.find("COLOR=") != header.npos || is_complete_stl(file)) return Format::stl;
   }
-  if (!is_text(all.substr(0, 4096), false)) throw Error(Fault::file_format, "neither STL nor PLY, OBJ or OFF");
-  Text text(all, '#');
-  const std::string_view word = text.word();
-  if (same_word(word, "solid")) return Format::stl;
-  if (word.ends_with("OFF")) return Format::off;
-  if (is_obj_word(word)) return Format::obj;
+  if (off) return Format::off;
+  if (obj) return Format::obj;
+  if (same_word(word, "solid") && is_text(all.substr(0, 4096), false)) return Format::stl;
   throw Error(Fault::file_format, file.empty() ? "the file is empty" : "neither STL nor PLY, OBJ or OFF");
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/shown.h"
 
 namespace ts::tooth {
 namespace {
@@ -190,7 +191,7 @@ ArchRow arch_row(const mesh::Surface &surface, const features::Features &feature
   constexpr double longest = 1000;  // mm: arches are up to 180
   if (!(curve.length() <= longest))
     throw Error(Fault::invalid_argument,
-                "the line along the teeth is " + std::to_string(curve.length()) + " mm long: no arch is");
+                "the line along the teeth is " + shown(curve.length()) + " mm long: no arch is");
   for (const RowTooth &t : teeth) {
     ArchTooth &own = row.teeth.emplace_back();
     if (t.group) measure_group(*t.group, view, curve, own);

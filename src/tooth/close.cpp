@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "base/shown.h"
 #include "mesh/bvh.h"
 #include "tooth/crossings.h"
 #include "tooth/fill.h"
@@ -266,8 +267,7 @@ Vec<Index> fill_all(PartMesh &part, const Executor &executor, const Progress &pr
     if (std::ranges::any_of(ways, [&](const Way &way) { return closer.fill(k, way, share); })) continue;
     if (!closer.crossed().empty()) return closer.crossed();
     const Vec3 &at = closed.position[closer.loops()[k].front()];
-    throw Error(Fault::not_closed, "the rim at (" + std::to_string(at.x()) + ", " + std::to_string(at.y()) + ", " +
-                                       std::to_string(at.z()) + ") cannot be closed without crossing itself");
+    throw Error(Fault::not_closed, "the rim at " + shown(at) + " cannot be closed without crossing itself");
   }
   closed.filled = static_cast<Index>(n);
   closed.flag.resize(closed.position.size(), VertexFlag::of_fill);
@@ -290,7 +290,7 @@ void close(PartMesh &part, const Executor &executor, const Progress &progress) {
   // What closes a part is shaped in steps of hundredths of a millimetre.
   constexpr double least_extent = 0.5;  // mm
   if (const double extent = extent_of(part); extent < least_extent)
-    throw Error(Fault::not_closed, "the part is but " + std::to_string(extent) + " mm across");
+    throw Error(Fault::not_closed, "the part is but " + shown(extent) + " mm across");
   const double most_area = kMostTrimmed * part.area;
   PartMesh closed = part;
   for (int round = 0; round < most_rounds; ++round) {
@@ -306,8 +306,7 @@ void close(PartMesh &part, const Executor &executor, const Progress &progress) {
     if (closed.area < part.area - most_area) break;
   }
   const Vec3 &at = part.position.front();  // of `closed` nothing may be left
-  throw Error(Fault::not_closed, "the part at (" + std::to_string(at.x()) + ", " + std::to_string(at.y()) + ", " +
-                                     std::to_string(at.z()) + ") cannot be closed without crossing itself");
+  throw Error(Fault::not_closed, "the part at " + shown(at) + " cannot be closed without crossing itself");
 }
 
 }  // namespace ts::tooth

@@ -1,11 +1,11 @@
 #include "tooth/edit_cut.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "base/shown.h"
 #include "geometry/geodesic.h"
 #include "tooth/edit_line.h"
 
@@ -19,16 +19,6 @@ constexpr double kNoLength = 0.01;
 // percentile (docs/accuracy.md).
 constexpr double kAside = 0.45;
 
-std::string text_of(const Vec3 &p) {
-  std::string text = "(";
-  for (int k = 0; k < 3; ++k) {
-    char digits[320];  // of the largest that there are
-    text.append(digits, std::to_chars(digits, digits + sizeof digits, p[k], std::chars_format::fixed, 3).ptr);
-    text += k < 2 ? ", " : ")";
-  }
-  return text;
-}
-
 void need_finite(double value, const char *name) {
   if (!std::isfinite(value)) throw Error(Fault::invalid_argument, std::string(name) + " is not finite");
 }
@@ -36,12 +26,11 @@ void need_finite(double value, const char *name) {
 mesh::SurfacePoint on_surface(const Prepared &p, const Tooth &tooth, const Vec3 &at, const Surroundings &around) {
   mesh::SurfacePoint point = around.nearest(at);
   if (point.distance > p.options.click_reach)
-    throw Error(Fault::click_off_surface,
-                text_of(at) + " is " + std::to_string(point.distance) + " mm from the surface");
+    throw Error(Fault::click_off_surface, shown(at) + " is " + shown(point.distance) + " mm from the surface");
   if (!std::ranges::binary_search(tooth.faces, point.face))
     for (const Tooth *other : around.others)
       if (std::ranges::binary_search(other->faces, point.face))
-        throw Error(Fault::edit_on_tooth, text_of(at) + " lies on another tooth");
+        throw Error(Fault::edit_on_tooth, shown(at) + " lies on another tooth");
   return point;
 }
 
@@ -65,8 +54,8 @@ OnLine nearest_on(const Tooth &tooth, const Vec3 &at, Index loop = mesh::none) {
 OnLine near_cut(const Prepared &p, const Tooth &tooth, const Vec3 &at, Index loop = mesh::none) {
   const OnLine on = nearest_on(tooth, at, loop);
   if (on.distance > p.options.click_reach)
-    throw Error(Fault::edit_off_cut, text_of(at) + " is " + std::to_string(on.distance) +
-                                         " mm from the cut, more than " + std::to_string(p.options.click_reach));
+    throw Error(Fault::edit_off_cut, shown(at) + " is " + shown(on.distance) + " mm from the cut, more than " +
+                                         shown(p.options.click_reach));
   return on;
 }
 
@@ -122,16 +111,15 @@ double distance_to_line(const Vec3 &p, const Vec<Vec3> &line) {
 void refuse_vertex(const Relining &lining, const Prepared &p, Index v) {
   if (lining.kind(v) == kForeign)
     throw Error(Fault::edit_on_tooth,
-                "at " + text_of(p.surface->position[v]) +
+                "at " + shown(p.surface->position[v]) +
                     " the line would run through points of another tooth, or gingiva for certain");
-  throw Error(Fault::edit_crossing, "at " + text_of(p.surface->position[v]) +
+  throw Error(Fault::edit_crossing, "at " + shown(p.surface->position[v]) +
                                         " the line would run through the rest of the cut, or the tooth's own points");
 }
 
 void refuse_unless_on(const Tooth &made, const Vec3 &at, double reach) {
   if (nearest_on(made, at).distance > reach)
-    throw Error(Fault::edit_crossing,
-                "the line cannot be led through " + text_of(at) + ": the tooth is too thin there");
+    throw Error(Fault::edit_crossing, "the line cannot be led through " + shown(at) + ": the tooth is too thin there");
 }
 
 struct Freed {
@@ -148,7 +136,7 @@ Freed free_around(const Prepared &p, Relining &lining, const cut::Polyline &line
     f.begin = lining.border().nearest(line.points[f.stretch.first], p.relief->length, half);
     f.end = lining.border().nearest(line.points[f.stretch.last], p.relief->length, half);
     if (f.stretch.first == f.stretch.last || f.begin == mesh::none || f.end == mesh::none || f.begin == f.end)
-      throw Error(Fault::edit_crossing, "the mesh is too coarse for a stretch of " + std::to_string(2 * half) + " mm");
+      throw Error(Fault::edit_crossing, "the mesh is too coarse for a stretch of " + shown(2 * half) + " mm");
     try {
       lining.border().free_stretch(f.begin, f.end, p.relief->length, lining.reach_along(f.stretch));
       return f;
@@ -168,7 +156,7 @@ Tooth drag(const Prepared &p, const Tooth &tooth, const CutEdit &edit, const Sur
   const cut::Polyline &line = tooth.loops[on.loop].line;
   const Vec3 from = line.points[on.place].position;
   const double far = (to.position - from).norm();
-  if (far < kNoLength) throw Error(Fault::edit_nothing, "the drag is " + std::to_string(far) + " mm long");
+  if (far < kNoLength) throw Error(Fault::edit_nothing, "the drag is " + shown(far) + " mm long");
   Relining lining(p, tooth);
   cut::Reroute &border = lining.border();
   // Of a short loop not all may move.
@@ -214,7 +202,7 @@ Tooth drag(const Prepared &p, const Tooth &tooth, const CutEdit &edit, const Sur
   }
   if (way.empty())
     throw Error(Fault::edit_crossing,
-                "no way leads from the cut through " + text_of(to.position) + " that does not cross it");
+                "no way leads from the cut through " + shown(to.position) + " that does not cross it");
   const cut::Through through[] = {{to.face, to.barycentric}};
   Tooth made = lining.follow(stretch, way, through, {});
   refuse_unless_on(made, to.position, s.mean_edge);
@@ -269,8 +257,8 @@ Vec<Step> steps_of(const Prepared &p, const Vec<mesh::SurfacePoint> &stroke, cut
         }
       } catch (const Error &e) {
         if (e.fault() != Fault::not_found) throw;
-        throw Error(Fault::edit_crossing, "no short way along the surface leads from " +
-                                              text_of(stroke[i - 1].position) + " to " + text_of(stroke[i].position));
+        throw Error(Fault::edit_crossing, "no short way along the surface leads from " + shown(stroke[i - 1].position) +
+                                              " to " + shown(stroke[i].position));
       }
     }
     add({stroke[i].nearest_vertex(s), {stroke[i].face, stroke[i].barycentric}});
@@ -308,8 +296,7 @@ void join_border(const Prepared &p, cut::Reroute &border, const cut::EdgePoint &
   const Vec<Index> way =
       begin == mesh::none ? Vec<Index>()
                           : border.cheapest(begin, steps.front().vertex, [&](Index e) { return p.relief->length[e]; });
-  if (way.empty())
-    throw Error(Fault::edit_crossing, "the stroke cannot be joined to the cut at " + text_of(at.position));
+  if (way.empty()) throw Error(Fault::edit_crossing, "the stroke cannot be joined to the cut at " + shown(at.position));
   const cut::Through none{s.vertex_faces[begin].front(), Vec3::Zero()};
   for (std::size_t i = way.size() - 1; i-- > 0;) steps.insert(steps.begin(), Step{way[i], none});
 }
@@ -322,13 +309,13 @@ Tooth draw(const Prepared &p, const Tooth &tooth, const CutEdit &edit, const Sur
   for (const Vec3 &at : edit.points) stroke.push_back(on_surface(p, tooth, at, around));
   double length = 0;
   for (std::size_t i = 1; i < stroke.size(); ++i) length += (stroke[i].position - stroke[i - 1].position).norm();
-  if (length < kNoLength) throw Error(Fault::edit_nothing, "the stroke is " + std::to_string(length) + " mm long");
+  if (length < kNoLength) throw Error(Fault::edit_nothing, "the stroke is " + shown(length) + " mm long");
   const OnLine a = near_cut(p, tooth, stroke.front().position);
   const OnLine b = near_cut(p, tooth, stroke.back().position, a.loop);
   const cut::Polyline &line = tooth.loops[a.loop].line;
   if (a.place == b.place)
     throw Error(Fault::edit_crossing,
-                "the stroke comes back to where it leaves the cut, " + text_of(line.points[a.place].position));
+                "the stroke comes back to where it leaves the cut, " + shown(line.points[a.place].position));
   // The shorter of the two pieces goes.
   const bool ahead =
       line.closed ? length_along(line, a.place, b.place) <= length_along(line, b.place, a.place) : a.place < b.place;
@@ -378,8 +365,8 @@ Tooth apply_edit(const Prepared &p, const Tooth &tooth, const CutEdit &edit, con
       return Relining(p, tooth).offset(edit.amount);
     case EditKind::smooth:
       if (!(edit.amount > 0 && edit.amount <= kMostSmoothing))
-        throw Error(Fault::invalid_argument, "strength is " + std::to_string(edit.amount) + ", not within (0, " +
-                                                 std::to_string(kMostSmoothing) + "]");
+        throw Error(Fault::invalid_argument,
+                    "strength is " + shown(edit.amount) + ", not within (0, " + shown(kMostSmoothing) + "]");
       return Relining(p, tooth).smooth(edit.amount);
   }
   throw Error(Fault::invalid_argument, "no such kind of edit");

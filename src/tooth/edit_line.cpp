@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/shown.h"
 #include "cut/contour.h"
 #include "tooth/extract.h"
 
@@ -153,10 +154,10 @@ Tooth Relining::offset(double mm) {
     if (d > std::abs(mm)) return false;
     if (mm < 0 && within(v) && kind(v) == kOwn)
       throw Error(Fault::edit_no_loop,
-                  "a cut moved inwards by " + std::to_string(-mm) + " mm would leave out feature points of the tooth");
+                  "a cut moved inwards by " + shown(-mm) + " mm would leave out feature points of the tooth");
     if (mm > 0 && !within(v) && p_.group_at[v] != mesh::none && p_.group_at[v] != tooth_.group)
-      throw Error(Fault::edit_on_tooth, "a cut moved outwards by " + std::to_string(mm) +
-                                            " mm would take in feature points of another tooth");
+      throw Error(Fault::edit_on_tooth,
+                  "a cut moved outwards by " + shown(mm) + " mm would take in feature points of another tooth");
     zone.push_back(v);
     return true;
   });
@@ -204,8 +205,8 @@ Tooth Relining::finish(Vec<Index> zone, const Vec<cut::CrossedEdge> &kept, const
   const double lost = cut::drop_unreached(s_, zone, true, tooth_.seeds, space);
   const double filled = cut::drop_unreached(s_, zone, false, {}, space);
   if (lost > kCrumb || filled > kCrumb)
-    throw Error(Fault::edit_no_loop, "the cut would fall into several: a piece of " +
-                                         std::to_string(std::max(lost, filled)) + " mm^2 would come off");
+    throw Error(Fault::edit_no_loop, "the cut would fall into several: a piece of " + shown(std::max(lost, filled)) +
+                                         " mm^2 would come off");
   Vec<Index> around;
   for (const Index v : zone)
     for (const Index f : s_.vertex_faces[v]) around.push_back(f);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/shown.h"
 #include "tooth/extract.h"
 #include "tooth/made.h"
 
@@ -76,7 +77,7 @@ Click separate_made(const Prepared &p, const mesh::SurfacePoint &at, std::span<c
   const Tooth &tooth = click.teeth[0];
   if (!holds(tooth, at) || (tooth.warnings & Warning::area_small))
     throw Error(Fault::click_on_gingiva,
-                "the click lies on no crown: around it " + std::to_string(tooth.area) + " mm^2 can be cut out");
+                "the click lies on no crown: around it " + shown(tooth.area) + " mm^2 can be cut out");
   click.among = std::move(made);
   return click;
 }
@@ -188,7 +189,7 @@ Tooth cut_out_target(const Prepared &p, const Pick &picked, const Progress &prog
 
 Pick take(const Prepared &p, const mesh::SurfacePoint &at) {
   if (at.distance > p.options.click_reach)
-    throw Error(Fault::click_off_surface, "the click is " + std::to_string(at.distance) + " mm from the surface");
+    throw Error(Fault::click_off_surface, "the click is " + shown(at.distance) + " mm from the surface");
   const Pick picked = pick(p, at);
   if (picked.target == mesh::none)
     throw Error(Fault::click_on_gingiva, "the click is on a piece of the surface without feature points");
@@ -202,8 +203,7 @@ Click separate(const Prepared &p, const mesh::SurfacePoint &at, const Pick &pick
   if (holds(click.teeth[0], at)) return click;
   evidence = own_field_decides(p.options);
   if (!evidence && on_gingiva(p, at))
-    throw Error(Fault::click_on_gingiva, "the click lies on gingiva or base, " +
-                                             std::to_string(picked.target_distance) +
+    throw Error(Fault::click_on_gingiva, "the click lies on gingiva or base, " + shown(picked.target_distance) +
                                              " from the nearest feature point");
   return click;
 }

@@ -74,6 +74,15 @@ static void every_file_is_read_back(void) {
   ts_segmentation_destroy(resumed);
 }
 
+static void every_message_has_a_point(void) {
+  ts_feature_options o;
+  ts_features *features = NULL;
+  REQUIRE_STATUS(ts_feature_options_init(&o, sizeof o), TS_OK);
+  o.radius = 7.25;
+  CHECK_STATUS(ts_detect_features(s.model, &o, NULL, &features), TS_E_INVALID_ARGUMENT);
+  CHECK(strstr(ts_last_error_message(), "7.25") != NULL);
+}
+
 int main(void) {
   uint32_t n = 0;
   int i;
@@ -84,6 +93,7 @@ int main(void) {
   free(clicks);
   RUN(every_file_is_the_same);
   RUN(every_file_is_read_back);
+  RUN(every_message_has_a_point);
   for (i = 0; i < FILES; ++i) remove(names[i]);
   free_scan(&s);
   return harness_finish();

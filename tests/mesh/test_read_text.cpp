@@ -77,6 +77,13 @@ TEST_CASE("OFF that is wrong says where") {
   check_fault(Fault::file_trailing, "line 7", [&] { read("OFF\n3 1 0\n" + v + "3 0 1 2\n3 0 1 2\n"); });
 }
 
+TEST_CASE("control characters in comments make no STL of a text") {
+  CHECK(read("# made by \x01 with \x02\nv 0 0 0\nv 1 0 0\nv 0 1 0\n# " + std::string(90, '\x03') + "\nf 1 2 3\n")
+            .faces() == 1);
+  CHECK(read("OFF\n# \x01\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").faces() == 1);
+  check_fault(Fault::file_syntax, "line 2: expected", [] { read("v 0 0 0\nv 0 \x01 0\n"); });
+}
+
 TEST_CASE("what is no mesh file is refused") {
   for (const std::string &file :
        {std::string(), std::string("\n\n"), std::string("hello world\n"), std::string("<?xml version='1.0'?>"),

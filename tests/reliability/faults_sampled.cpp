@@ -150,8 +150,8 @@ class Sampler {
 
 }  // namespace
 
-int sampled_faults(const std::string &in, unsigned triangles, int samples) {
-  const std::string folder = in + "/faults-sampled";
+int sampled_faults(const std::string &in, unsigned triangles, int samples, const std::string &only) {
+  const std::string folder = in + "/faults-sampled" + only;
   std::filesystem::create_directories(folder);
   static Hook hook;
   ts_context_options options;
@@ -163,7 +163,9 @@ int sampled_faults(const std::string &in, unsigned triangles, int samples) {
     Stage stage(made<ts_context>([&](ts_context **out) { return ts_context_create(&options, out); }),
                 arch_mesh(triangles, 1), folder);
     Sampler sampler(stage, hook, samples);
-    for (const LongCall &call : long_calls()) failed += !sampler.run(call);
+    for (const LongCall &call : long_calls())
+      if (only.empty() || call.name() == only) failed += !sampler.run(call);
+    if (sampler.total() == 0) std::printf("no call is named %s\n", only.c_str()), ++failed;
     std::printf("%u triangles: %ld allocations failed, %d calls did not hold\n", triangles, sampler.total(), failed);
   }
   if (hook.live != 0) std::printf("%ld blocks are left\n", hook.live), ++failed;

@@ -4,5 +4,5 @@
 
 #include <string>
 
-// The exit status.
-int sampled_faults(const std::string &folder, unsigned triangles, int samples);
+// Of the call of that name alone, where there is one. The exit status.
+int sampled_faults(const std::string &folder, unsigned triangles, int samples, const std::string &only);

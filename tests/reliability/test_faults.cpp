@@ -465,10 +465,13 @@ void each_allocation_fails(Scene &s, const Hook &hook, const Call &call, const c
 
 int main(int argc, char **argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 1024);
-  if (argc == 6 && !std::strcmp(argv[2], "--triangles") && !std::strcmp(argv[4], "--sampled"))
-    return sampled_faults(argv[1], static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)), std::atoi(argv[5]));
+  if ((argc == 6 || argc == 7) && !std::strcmp(argv[2], "--triangles") && !std::strcmp(argv[4], "--sampled"))
+    return sampled_faults(argv[1], static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)), std::atoi(argv[5]),
+                          argc == 7 ? argv[6] : "");
   if (argc < 2 || argc > 3)
-    return std::fprintf(stderr, "usage: test_faults FOLDER [--quick | CALL] | FOLDER --triangles N --sampled COUNT\n"),
+    return std::fprintf(stderr,
+                        "usage: test_faults FOLDER [--quick | CALL] | FOLDER --triangles N --sampled COUNT "
+                        "[CALL]\n"),
            2;
   static Hook hook;
   const std::vector<Call> all = calls(argv[1]);
