@@ -59,12 +59,12 @@ Features divide(const mesh::Surface &surface, const Analysis &a, const Weights &
     group.confidence = tooth.confidence;
     if (!group.points.empty()) found.groups.push_back(std::move(group));
   };
-  for (const ToothSpan &tooth : division.teeth) {
-    if (const auto ridges = two_ridges(a.strip, tooth, division.width[(tooth.from + tooth.to) / 2],
-                                       lattice.table(tooth.from, tooth.to)))
-      for (const Ridge &ridge : *ridges) add(tooth, &ridge);
+  const Vec<Pair> ridges = two_ridges(a.strip, division, lattice);
+  for (std::size_t t = 0; t < ridges.size(); ++t) {
+    if (ridges[t])
+      for (const Ridge &ridge : *ridges[t]) add(division.teeth[t], &ridge);
     else
-      add(tooth, nullptr);
+      add(division.teeth[t], nullptr);
   }
   if (found.groups.empty()) throw Error(Fault::no_teeth, "nothing along the arch looks like a tooth");
   return found;

@@ -18,10 +18,11 @@ struct Ridge {
   bool has(std::size_t cell) const { return std::ranges::binary_search(cells, cell); }
 };
 
-// The two incisal ridges of a span with two anterior teeth, in the order of the arch: ridges that are connected only
-// over cells much less convex than either. Nothing where there is one, and for other teeth. `expected`: how wide the
-// formula has a tooth there, mm; `table`: mean width of the span's occlusal table, mm.
-std::optional<std::array<Ridge, 2>> two_ridges(const Strip &strip, const ToothSpan &tooth, double expected,
-                                               double table);
+using Pair = std::optional<std::array<Ridge, 2>>;
+
+// For each tooth of a division of the lattice the two incisal ridges of it, in the order of the arch, where it is two
+// anterior teeth: ridges that are connected only over cells much less convex than either. Nothing where it is one, and
+// for other teeth.
+Vec<Pair> two_ridges(const Strip &strip, const Division &division, const Lattice &lattice);
 
 }  // namespace ts::features

@@ -110,6 +110,11 @@ TEST_CASE("lower incisors in pairs as wide as upper central ones, one before the
   check(make(TSA_JAW_LOWER, 0.47454577173215756, 325, {37, 45, 36}, 0, 13452, 0.25589691502637352));
 }
 
+TEST_CASE("noise does not part upper central incisors" * doctest::test_suite("many arches")) {
+  check(make(TSA_JAW_UPPER, 0.165, 21, {}, 0, 15622, 0.32));
+  check(make(TSA_JAW_UPPER, 0.397, 88, {}, 0, 16961, 0.32));
+}
+
 TEST_CASE("synthetic arches with missing teeth" * doctest::test_suite("many arches")) {
   check(make(TSA_JAW_UPPER, 0.2, 4, {12, 16, 25}, 0));
   check(make(TSA_JAW_LOWER, 0.2, 5, {31, 46}, 0));
