@@ -3,7 +3,7 @@
 # and fails on any finding. clang-tidy takes ten seconds for what a file includes and a fifth of one for the file itself: those of a
 # target are read at once, and the other steps go on beside it. A plug-in (lint_scope.cpp) keeps it from seeking
 # in system headers what it would not report of them: that took three quarters of its time. --quick is for CI: clang-tidy reads src/
-# alone, without the analyzer's paths (clang-analyzer-*); synth/ and samples/ are left out.
+# and synth/, without the analyzer's paths (clang-analyzer-*); samples/ is left out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 quick=0
@@ -83,11 +83,8 @@ options=()
 scope
 if [ $quick = 1 ]; then
   options=(--checks=-clang-analyzer-*)
-  step tidy_src tidy src
-else
-  step tidy_src tidy src
-  step tidy_synth tidy synth
-  step tidy_samples tidy_samples
 fi
+step tidy tidy src synth
+[ $quick = 1 ] || step tidy_samples tidy_samples
 wait
 [ ! -e "$build/failed" ]

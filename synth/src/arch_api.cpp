@@ -13,6 +13,7 @@ struct tsa_arch {
 
 namespace {
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): each thread's own
 thread_local char lastMessage[200] = "";
 
 int fail(int status, const std::string &message) noexcept {

@@ -23,8 +23,8 @@ ArchCurve::ArchCurve(double a, double b) : a_(a), b_(b) {
   for (int j = 0; j < kGridY; ++j)
     for (int i = 0; i < kGridX; ++i) {
       double best = 1e30, at = 0;
-      for (double x = 0; x <= kMaxX; x += 0.25) {
-        const double dx = x - (i + 0.5), dy = -(a_ * x * x + b_ * x * x * x * x) - (kGridTop - (j + 0.5));
+      for (int k = 0; k <= 4 * static_cast<int>(kMaxX); ++k) {
+        const double x = 0.25 * k, dx = x - (i + 0.5), dy = -(a_ * x * x + b_ * x * x * x * x) - (kGridTop - (j + 0.5));
         if (dx * dx + dy * dy < best) best = dx * dx + dy * dy, at = x;
       }
       start_[static_cast<size_t>(j) * kGridX + i] = static_cast<float>(at);

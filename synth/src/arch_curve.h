@@ -22,7 +22,7 @@ class ArchCurve {
 
  private:
   double parameter(double s) const;
-  double nearest(double x, double y, double start) const;
+  double nearest(double px, double py, double x) const;  // from x on
   double a_, b_;
   std::vector<double> length_;  // arc length at x = i * kStep
   std::vector<float> start_;    // x of the closest point, on a grid over the right half of the plan

@@ -26,13 +26,20 @@ double depthIn(const PlacedTooth &t, Vec3 p) {
   return -t.shape.crown(q.x, q.y, q.z);
 }
 
+std::vector<double> probes(double from, double to) {
+  std::vector<double> at;
+  while (from <= to) at.push_back(from), from += kProbe;
+  return at;
+}
+
 Overlap overlap(const PlacedTooth &a, const PlacedTooth &b) {
   Overlap found;
   Vec3 at{0, 0, 0};
   const double u = 0.6 * a.shape.md, v = 0.7 * a.shape.fl;
-  for (double z = 0; z <= a.shape.height; z += kProbe)
-    for (double y = -v; y <= v; y += kProbe)
-      for (double x = -u; x <= u; x += kProbe) {
+  const std::vector<double> xs = probes(-u, u), ys = probes(-v, v), zs = probes(0, a.shape.height);
+  for (const double z : zs)
+    for (const double y : ys)
+      for (const double x : xs) {
         const Vec3 p = a.world(x, y, z);
         const double inB = depthIn(b, p);
         if (inB <= found.depth) continue;

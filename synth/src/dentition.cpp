@@ -130,7 +130,8 @@ void Dentition::place(const Settings &settings) {
 void Dentition::layRidge() {
   constexpr double kWidth = 3.5;  // of the kernel along the arch: about half a tooth
   double lowest = 0;
-  for (double s = -kRidgeLimit; s <= kRidgeLimit + 1e-9; s += kRidgeStep) {
+  for (int k = 0; k <= static_cast<int>(2 * kRidgeLimit / kRidgeStep); ++k) {
+    const double s = -kRidgeLimit + k * kRidgeStep;
     Crest c{0, 0, 0, 0, 0};
     double sum = 0;
     for (const RidgePoint &p : ridgePoints_) {

@@ -72,7 +72,7 @@ bool findTip(const Dentition &dentition, const PlacedTooth &tooth, const Tip &ti
   };
   double u = tip.u, v = tip.v, w = drop(u, v);
   if (tip.kind == 0)
-    for (double step = 0.3; step > 0.04; step *= 0.5)
+    for (const double step : {0.3, 0.15, 0.075})
       for (int i = 0; i < 4; ++i) {
         double bestU = u, bestV = v;
         for (int d = 0; d < 4; ++d) {

@@ -125,7 +125,8 @@ void Remesher::collapseTo(size_t target, const std::vector<uint8_t> &counted, do
 void Remesher::collapsePass(size_t target, const std::vector<uint8_t> &counted, double edge, double shortest,
                             size_t &left) {
   const uint32_t n = static_cast<uint32_t>(twin_.size());
-  for (double limit = shortest; limit < 1.3 && left > target; limit *= limit < 0.75 ? 1.2 : 1.05) {
+  double limit = shortest;
+  while (limit < 1.3 && left > target) {
     for (uint32_t h = 0; h < n && left > target; ++h) {
       if (dead(h / 3) || twin_[h] == kNone || twin_[h] < h) continue;
       const Vec3 a = mesh_.points[from(h)], b = mesh_.points[to(h)], d = b - a;
@@ -140,6 +141,7 @@ void Remesher::collapsePass(size_t target, const std::vector<uint8_t> &counted, 
       collapse(h, middle);
       left -= counted[f] + counted[g];
     }
+    limit *= limit < 0.75 ? 1.2 : 1.05;
   }
 }
 
