@@ -36,10 +36,11 @@ Format format_of(std::span<const std::byte> file) {
   const std::string_view word = text.word();
   // What begins like one of these is one, whatever characters its comments have.
   const bool off = word.ends_with("OFF") && is_text(word, false), obj = is_obj_word(word);
-  if (is_complete_stl(file) || (is_binary_stl(file) && !off && !obj)) {
+  const bool complete = is_complete_stl(file);
+  if (complete || (is_binary_stl(file) && !off && !obj)) {
     // Told from an image or an archive by its header, which is text, or text and zeros, or has the colour of the part.
     const std::string_view header = all.substr(0, 80);
-    if (is_text(header, true) || header.find("COLOR=") != header.npos || is_complete_stl(file)) return Format::stl;
+    if (is_text(header, true) || header.find("COLOR=") != header.npos || complete) return Format::stl;
   }
   if (off) return Format::off;
   if (obj) return Format::obj;

@@ -194,28 +194,25 @@ int main(int argc, char **argv) {
   OpenCase open(large, 2), open_on_one(large, 1);
   HOLDS(shared_heap.empty());
 
+  const auto at_once = [&](std::size_t many) {
+    std::vector<Outcome> outcomes(many);
+    std::vector<std::thread> threads;
+    for (std::size_t w = 0; w < many; ++w)
+      threads.emplace_back([&, w] { outcomes[w] = work(w, scans, shared.get(), own_heap, folder.string()); });
+    for (std::thread &t : threads) t.join();
+    return outcomes;
+  };
   // oneTBB starts a thread when it first wants one, be it after an hour. What glibc has of a thread (a kilobyte, as
   // long as that lives) then lies above all that is in use at that moment, and none of it goes back to the system. So
   // here all start before memory is looked at: more is asked of them at once than in any round.
-  if (seconds >= kLong) {
-    constexpr std::size_t kMany = 8;
-    std::vector<std::thread> many;
-    for (std::size_t w = 0; w < kMany; ++w)
-      many.emplace_back([&, w] { work(w, scans, shared.get(), own_heap, folder.string()); });
-    for (std::thread &t : many) t.join();
-  }
+  if (seconds >= kLong) at_once(8);
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const auto since = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
   std::vector<double> resident, in_use;
   std::vector<Outcome> first;
   for (double printed = -1e9; resident.empty() || since() < seconds;) {
-    std::vector<Outcome> outcomes(workers);
-    std::vector<std::thread> threads;
-    for (std::size_t w = 0; w < workers; ++w)
-      threads.emplace_back([&, w] { outcomes[w] = work(w, scans, shared.get(), own_heap, folder.string()); });
-    for (std::thread &t : threads) t.join();
-    threads.clear();
+    const std::vector<Outcome> outcomes = at_once(workers);
     open.round(), open_on_one.round();
     if (resident.empty()) first = outcomes;
     HOLDS(outcomes == first);
